@@ -1,0 +1,42 @@
+#include "burmester/planar/anchored_basis.hpp"
+
+#include <limits>
+
+#include "burmester/planar/five_pose_roots.hpp"
+
+namespace burmester::planar {
+
+AnchorChoice choose_anchor(FivePoses poses) {
+  double distance2[10], turn2[10], longest = 0, widest = 0, narrowest = std::numeric_limits<double>::infinity();
+  for (int i = 0, k = 0; i < 5; ++i) {
+    const Pose& a = poses[i];
+    const double per_norm = 2 / (a.X3 * a.X3 + a.X4 * a.X4);  // norms of one task agree to rounding, or nearly
+    for (int j = i + 1; j < 5; ++j, ++k) {
+      const Pose& b = poses[j];
+      const double x = b.x - a.x, y = b.y - a.y, s = per_norm * (b.X3 * a.X4 - b.X4 * a.X3);
+      distance2[k] = x * x + y * y;
+      turn2[k] = s * s;
+      longest = std::max(longest, distance2[k]);
+      widest = std::max(widest, turn2[k]);
+      narrowest = std::min(narrowest, turn2[k]);
+    }
+  }
+  constexpr double same_turn2 = 4 * same_orientation_tolerance * same_orientation_tolerance;
+  AnchorChoice out;
+  out.parallel_pair = narrowest <= 4 * same_turn2;
+  out.anchor.length = longest > 0 ? power_of_two_below(std::sqrt(longest)) : 1;
+  out.anchor.turn = widest > same_turn2 ? power_of_two_below(std::sqrt(widest)) : 0;
+  const double per_length2 = longest > 0 ? 1 / longest : 0, per_turn2 = out.anchor.turn > 0 ? 1 / widest : 0;
+  double closest = std::numeric_limits<double>::infinity();
+  for (int i = 0, k = 0; i < 5; ++i)
+    for (int j = i + 1; j < 5; ++j, ++k) {
+      const double apart = distance2[k] * per_length2 + turn2[k] * per_turn2;
+      if (apart < closest) closest = apart, out.anchor.reference = i;
+      if (distance2[k] == 0 && turn2[k] <= 4 * same_turn2 &&
+          std::abs(relative_turn<double>(poses[i], poses[j]).X3) <= same_orientation_tolerance)
+        out.equal_poses = true;
+    }
+  return out;
+}
+
+}  // namespace burmester::planar

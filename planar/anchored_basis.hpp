@@ -1,0 +1,133 @@
+// The five-pose synthesis equations in the anchored basis.
+//
+// Let one pose be the reference, t_j = (a, b) the translation and delta_j the rotation from it to pose j, and p
+// the moving pivot in the reference pose, seen from the origin of E there (fixed directions). The displaced point
+// has moved by d_j = t_j + (R(delta_j) - I) p. It stays on a circle through its reference place when
+//     K0 |d_j|^2 + G . d_j = 0,                                                                  (1)
+// where G is the gradient of the circle's equation at the reference place: centre = p - G / (2 K0). With u = K0 p,
+// K = G - 2 u (the gradient at the origin) and complex notation for plane vectors, v = conj(p) K, (1) is linear:
+//     K0 |t|^2 + G . t + 2 u . (R^T - I) t + (cos delta - 1) v1 + sin delta v2 = 0,              (2)
+//     K0 v = conj(u) K   (two real relations).                                                   (3)
+// All dyad types at once: RR has K0 != 0; PR has K0 = u = 0 (G the normal of the fixed line); RP has K0 = K = 0
+// (-2 u the normal of the moving line). With lengths in units of L and U = e u, V1 = e^2 v1, V2 = e v2, where e is
+// the size of the rotations, (2) and (3) stay regular as all rotations shrink to nothing.
+//
+// Equation (2) is the constraint manifold of Hayes and Zsombor-Murray in image coordinates relative to the
+// reference pose; the change of basis to (K0, G, U, V) is ours. Notation here: s = X3, c = X4 of the relative pose.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <type_traits>
+
+#include "burmester/geometry/conic.hpp"
+#include "burmester/geometry/error_free.hpp"
+#include "burmester/planar/pose.hpp"
+
+namespace burmester::planar {
+
+using FivePoses = std::span<const Pose, 5>;
+
+/// Where equation (2) is anchored. length and turn are powers of two: scaling by them loses nothing.
+struct Anchor {
+  int reference = 0;   ///< index of a pose of the closest pair: small differences are then formed once, without loss
+  double length = 1;   ///< L: largest distance between two pose origins, rounded down (1 if all coincide)
+  double turn = 1;     ///< e: largest |2 sin(delta/2)| between two poses, rounded down (0: all orientations equal)
+};
+
+/// w = (K0, G1, G2, U1, U2, V1, V2), the unknowns of (2) and (3).
+template <class T>
+using Anchored = Vector<T, 7>;
+
+/// X3 and X4 of the rotation from one pose to another, times the product of their norms.
+template <class T>
+struct RelativeTurn {
+  T X3, X4;
+};
+
+/// Over double the relative error of X3 is a few unit roundoffs however small the rotation: with equal norms the
+/// difference of two close image points is exact and nearly orthogonal to them, so nothing cancels in
+/// (b - a) x a = b x a; points of different norms take the error-free products. X3 is 0 exactly where the doubles
+/// are proportional.
+template <class T>
+RelativeTurn<T> relative_turn(const Pose& a, const Pose& b) {
+  const T c = T(b.X4) * T(a.X4) + T(b.X3) * T(a.X3);
+  if constexpr (std::is_same_v<T, double>) {
+    const double sign = c < 0 ? -1.0 : 1.0, b3 = sign * b.X3, b4 = sign * b.X4;  // the nearer of the two signs
+    const double d3 = b3 - a.X3, d4 = b4 - a.X4;
+    if (std::abs(d3 * (b3 + a.X3) + d4 * (b4 + a.X4)) > 0x1p-30)  // |b|^2 - |a|^2
+      return {difference_of_products(b.X3, a.X4, b.X4, a.X3), c};
+    return {sign * (d3 * a.X4 - d4 * a.X3), c};
+  } else {
+    return {T(b.X3) * T(a.X4) - T(b.X4) * T(a.X3), c};
+  }
+}
+
+struct AnchorChoice {
+  Anchor anchor;
+  bool equal_poses = false;    ///< two poses coincide (same origin, same orientation up to rounding)
+  bool parallel_pair = false;  ///< two poses may have the same orientation: look closer
+};
+
+/// Reference pose, length unit and turn unit for five poses.
+AnchorChoice choose_anchor(FivePoses poses);
+
+/// The row of equation (2) for the displacement from pose `a` (the reference) to pose `b`, times the norm of the
+/// relative image point and a power of two that makes its largest entry of order 1.
+template <class T>
+std::array<T, 7> anchored_row(const Pose& a, const Pose& b, const Anchor& anchor) {
+  const auto [s, c] = relative_turn<T>(a, b);
+  const double per_length = unit_scale(anchor.length), e = anchor.turn > 0 ? unit_scale(anchor.turn) : 1;
+  const T x = (T(b.x) - T(a.x)) * T(per_length), y = (T(b.y) - T(a.y)) * T(per_length);
+  const T ss = s * s, sc = s * c, n = ss + c * c;
+  const T nx = n * x, ny = n * y;
+  std::array<T, 7> row{T(nx * x + ny * y), nx, ny, T(4 * e) * (sc * y - ss * x), T(-4 * e) * (ss * y + sc * x),
+                       T(-2 * e * e) * ss, T(2 * e) * sc};
+  double size = 0;
+  for (const T& entry : row) size = std::max(size, std::abs(approximate(entry)));
+  if (size > 0) {
+    const T scale(unit_scale(size));
+    for (T& entry : row) entry *= scale;
+  }
+  return row;
+}
+
+/// The four rows of equation (2).
+template <class T>
+Matrix<T, 4, 7> anchored_rows(FivePoses poses, const Anchor& anchor) {
+  Matrix<T, 4, 7> rows;
+  for (int j = 0, r = 0; j < 5; ++j) {
+    if (j == anchor.reference) continue;
+    const std::array<T, 7> row = anchored_row<T>(poses[anchor.reference], poses[j], anchor);
+    for (int k = 0; k < 7; ++k) rows(r, k) = row[k];
+    ++r;
+  }
+  return rows;
+}
+
+/// The relations (3), scaled: K0 V1 - e G.U + 2 |U|^2 and K0 V2 - U x G. Both vanish on dyads.
+template <class T>
+std::array<T, 2> anchored_relations(const Anchored<T>& w, const T& e) {
+  return {T(w[0] * w[5] - e * (w[1] * w[3] + w[2] * w[4]) + 2 * (w[3] * w[3] + w[4] * w[4])),
+          T(w[0] * w[6] - (w[3] * w[2] - w[4] * w[1]))};
+}
+
+/// The relations on the null space w = basis z, as two conics in z.
+template <class T>
+std::array<Conic<T>, 2> relation_conics(const Matrix<T, 7, 3>& basis, const T& e) {
+  LinearForm<T> form[7];
+  for (int k = 0; k < 7; ++k) form[k] = {basis(k, 0), basis(k, 1), basis(k, 2)};
+  const LinearForm<T> e1 = e * form[1] - 2 * form[3], e2 = e * form[2] - 2 * form[4];  // e K, scaled like U
+  Conic<T> a, b;
+  a.add_product(form[0], form[5], 1);
+  a.add_product(e1, form[3], -1);
+  a.add_product(e2, form[4], -1);
+  b.add_product(form[0], form[6], 1);
+  b.add_product(form[3], form[2], -1);
+  b.add_product(form[4], form[1], 1);
+  return {a, b};
+}
+
+}  // namespace burmester::planar

@@ -1,0 +1,178 @@
+// The root steps of the five-pose solver, shared by the double and the quad instance. Not for inclusion by users.
+#pragma once
+
+#include "burmester/planar/five_pose_roots.hpp"
+
+namespace burmester::planar::detail {
+
+template <class T>
+struct Pencil {
+  NullSpace<T, 4, 7> null;
+  Conic<T> a, b;                        // scaled to size 1
+  T a_scale{1}, b_scale{1};
+  T e;
+
+  Anchored<T> w(const Point2<T>& z) const {
+    Anchored<T> out;
+    for (int k = 0; k < 7; ++k)
+      out[k] = null.basis(k, 0) * z[0] + null.basis(k, 1) * z[1] + null.basis(k, 2) * z[2];
+    return out;
+  }
+
+  /// One Newton step on the relations in P^2 (the correction is orthogonal to z). The residuals are evaluated from
+  /// w, where they cancel less than in the conics.
+  Point2<T> improved(const Point2<T>& z) const {
+    std::array<T, 2> f = anchored_relations(w(z), e);
+    f[0] *= a_scale, f[1] *= b_scale;
+    const Vector<T, 3> ga = a.gradient(z), gb = b.gradient(z), across = gb.cross(z);
+    const T determinant = ga.dot(across);
+    if (determinant == 0) return z;
+    const Vector<T, 3> step = (f[0] * across + f[1] * z.cross(ga)) / determinant;
+    if (!(step.squaredNorm() < z.squaredNorm() * T(0.25))) return z;  // not near a simple root
+    return z - step;
+  }
+};
+
+template <class T>
+constexpr int newton_steps = 1;
+
+template <class T>
+void add_root(FivePoseRoots<T>& out, const Pencil<T>& pencil, Point2<T> z, const T& separation) {
+  for (int i = 0; i < newton_steps<T>; ++i) z = pencil.improved(z);
+  out.separation[out.count] = separation;
+  out.w[out.count++] = pencil.w(z);
+}
+
+/// Sizes of the classes of equal orientations, largest first, found with lossless cross products.
+inline std::array<int, 5> orientation_classes(FivePoses poses) {
+  std::array<int, 5> size{};
+  std::array<bool, 5> seen{};
+  for (int i = 0; i < 5; ++i) {
+    if (seen[i]) continue;
+    for (int j = i; j < 5; ++j)
+      if (!seen[j] && std::abs(relative_turn<double>(poses[i], poses[j]).X3) <= same_orientation_tolerance)
+        seen[j] = true, ++size[i];
+  }
+  std::sort(size.begin(), size.end(), std::greater<>());
+  return size;
+}
+
+/// 3 + 2 orientations: the pair of orientations w0 = (0, .., V1, V2) is a root of multiplicity two, at which
+/// V2 A - V1 B is singular. Its two lines through w0 carry the other two roots.
+template <class T>
+void two_orientation_roots(FivePoses poses, const Pencil<T>& pencil, FivePoseRoots<T>& out) {
+  const Pose& reference = poses[out.anchor.reference];
+  T s(0), c(1);
+  for (const Pose& pose : poses)
+    if (const auto turn = relative_turn<T>(reference, pose);
+        std::abs(approximate(turn.X3)) > same_orientation_tolerance)
+      s = turn.X3, c = turn.X4;
+  const T v1 = pencil.e * c, v2 = s;
+  Anchored<T> w0 = Anchored<T>::Zero();
+  w0[5] = v1, w0[6] = v2;
+  Point2<T> z0;
+  for (int g = 0; g < 3; ++g) z0[g] = w0[pencil.null.free[g]];
+  const LinePair<T> lines = burmester::detail::split(pencil_member(pencil.a, v2, pencil.b, T(-v1)));
+  if (!(lines.separation > 0)) return;
+  for (const LinearForm<T>& line : {lines.first, lines.second}) {
+    const Point2<T> v = line.cross(z0).normalized();
+    const Conic<T>& q = pencil.a.gradient(z0).squaredNorm() > pencil.b.gradient(z0).squaredNorm() ? pencil.a : pencil.b;
+    const Point2<T> z = (-q(v)) * z0 + q.polar(z0, v) * v;
+    add_root(out, pencil, z, lines.separation);
+  }
+}
+
+/// One orientation: the span holds PP; with four rows [|t|^2, a, b] of rank below three every point traces
+/// congruent circles (or parallel lines), and every point is a moving pivot.
+template <class T>
+FivePoseCase parallel_case(FivePoses poses, const Anchor& anchor) {
+  Matrix<T, 3, 4> rows;  // transposed: complete pivoting does not mind
+  for (int j = 0, r = 0; j < 5; ++j) {
+    if (j == anchor.reference) continue;
+    const std::array<T, 7> row = anchored_row<T>(poses[anchor.reference], poses[j], anchor);
+    for (int k = 0; k < 3; ++k) rows(k, r) = row[k];
+    ++r;
+  }
+  const NullSpace<T, 3, 4> null = null_space(rows);
+  return null.smallest_pivot < rank_tolerance ? FivePoseCase::translation : FivePoseCase::all_parallel;
+}
+
+/// The conics share a component: find which, and the isolated root if there is one.
+template <class T>
+void degenerate_pencil(const Pencil<T>& pencil, FivePoseRoots<T>& out) {
+  const CommonPoints<T> common = degenerate_common_points(pencil.a, pencil.b, pencil_tolerance);
+  if (common.kind == PencilKind::common_line) {
+    out.what = FivePoseCase::common_line;
+    Point2<T> u, v;
+    burmester::detail::span_line(common.line, u, v);
+    out.family = pencil.w(Point2<T>(u + v));
+  } else {
+    out.what = common.kind == PencilKind::same_conic ? FivePoseCase::whole_conic : FivePoseCase::common_vertex;
+  }
+  for (int i = 0; i < common.count; ++i) {
+    out.separation[out.count] = T(0);
+    out.w[out.count++] = pencil.w(common.point[i]);
+  }
+}
+
+/// Scales the conic to size 1 and returns the factor; a conic that is zero to rounding becomes zero.
+template <class T>
+T scale_to_one(Conic<T>& c) {
+  const double size = size_of(c);
+  const T factor(size > pencil_tolerance ? unit_scale(size) : 0);
+  for (T& q : c.q) q *= factor;
+  return factor;
+}
+
+/// All rotations differ from the reference's in less than five classes, or the rank is deficient.
+template <class T>
+void special_orientations(FivePoses poses, const Pencil<T>& pencil, FivePoseRoots<T>& out) {
+  const std::array<int, 5> classes = orientation_classes(poses);
+  if (classes[0] == 4) {
+    out.what = FivePoseCase::four_parallel;
+  } else if (classes[0] == 3 && classes[1] == 2) {
+    out.what = FivePoseCase::two_orientations;
+    two_orientation_roots(poses, pencil, out);
+  }
+}
+
+template <class T>
+FivePoseRoots<T> solve(FivePoses poses) {
+  FivePoseRoots<T> out;
+  const AnchorChoice choice = choose_anchor(poses);
+  out.anchor = choice.anchor;
+  if (choice.equal_poses) {
+    out.what = FivePoseCase::equal_poses;
+    return out;
+  }
+  if (out.anchor.turn == 0) {
+    out.what = parallel_case<T>(poses, out.anchor);
+    return out;
+  }
+  Pencil<T> pencil;
+  pencil.e = T(out.anchor.turn);
+  pencil.null = null_space(anchored_rows<T>(poses, out.anchor));
+  out.smallest_pivot = pencil.null.smallest_pivot;
+  if (out.smallest_pivot < rank_tolerance) {
+    out.what = FivePoseCase::rotation;
+    return out;
+  }
+  const std::array<Conic<T>, 2> conics = relation_conics(pencil.null.basis, pencil.e);
+  pencil.a = conics[0], pencil.b = conics[1];
+  pencil.a_scale = scale_to_one(pencil.a), pencil.b_scale = scale_to_one(pencil.b);
+  if (choice.parallel_pair) {
+    special_orientations(poses, pencil, out);
+    if (out.what != FivePoseCase::regular) return out;
+  }
+  const std::array<T, 4> cubic = pencil_determinant(pencil.a, pencil.b);
+  for (const T& c : cubic) out.pencil_size = std::max(out.pencil_size, std::abs(approximate(c)));
+  if (out.pencil_size < pencil_tolerance) {
+    degenerate_pencil(pencil, out);
+    return out;
+  }
+  const CommonPoints<T> common = regular_common_points(pencil.a, pencil.b, cubic);
+  for (int i = 0; i < common.count; ++i) add_root(out, pencil, common.point[i], common.separation[i]);
+  return out;
+}
+
+}  // namespace burmester::planar::detail

@@ -1,0 +1,34 @@
+#include "burmester/planar/pose.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace burmester::planar {
+
+// sin and cos of a half angle in long double, rounded once to double.
+Pose pose_from_radians(double x, double y, double angle) {
+  const long double half = static_cast<long double>(angle) / 2;
+  return {x, y, static_cast<double>(std::sin(half)), static_cast<double>(std::cos(half))};
+}
+
+Pose pose_from_degrees(double x, double y, double angle) {
+  // Quarter turns of the half angle are taken off in degrees, where they are exact.
+  const double half = std::fmod(angle, 720.0) / 2;
+  const double quarters = std::nearbyint(half / 90);
+  const long double rest = (half - 90 * quarters) * (std::numbers::pi_v<long double> / 180);
+  const double s = static_cast<double>(std::sin(rest)), c = static_cast<double>(std::cos(rest));
+  switch (static_cast<int>(quarters) & 3) {
+    case 0: return {x, y, s, c};
+    case 1: return {x, y, c, -s + 0.0};
+    case 2: return {x, y, -s + 0.0, -c};
+    default: return {x, y, -c, s};
+  }
+}
+
+double angle_of(const Pose& pose) {
+  // The pair is projective: (X3, X4) and (-X3, -X4) are the same pose.
+  const double sign = std::signbit(pose.X4) && pose.X4 != 0 ? -1 : 1;
+  return 2 * std::atan2(sign * pose.X3, std::abs(pose.X4));
+}
+
+}  // namespace burmester::planar
