@@ -7,7 +7,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 #include "burmester/geometry/error_free.hpp"
 
@@ -47,6 +50,14 @@ std::array<T, 2> unit_pair(const T& s, const T& t) {
   return {T(s * factor), T(t * factor)};
 }
 
+/// An upper bound of the cube root of x >= 0, at most 0.4 % too large: one Newton step, which never lands below, from
+/// a third of the exponent.
+inline double cube_root_above(double x) {
+  if (!(x > 0x1p-1000)) return x > 0 ? 0x1p-300 : 0;
+  const double guess = std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) / 3 + 0x2aa0000000000000u);
+  return (2 * guess + x / (guess * guess)) * (1.0001 / 3);
+}
+
 /// One real root of a x^3 + b x^2 + c x + d (a != 0), and the deflated quadratic a x^2 + b1 x + c2.
 template <class T>
 T outermost_root(const T& a, const T& b, const T& c, const T& d, T& b1, T& c2) {
@@ -62,16 +73,19 @@ T outermost_root(const T& a, const T& b, const T& c, const T& d, T& b1, T& c2) {
   evaluate();
   const T t = value / a, steep = -slope / a;
   const T side = t < 0 ? T(-1) : T(1);
-  T reach(std::cbrt(std::abs(approximate(t))) * (1 + 0x1p-40));  // a bound is enough: it only has to be outside
+  T reach(cube_root_above(std::abs(approximate(t))));  // a bound is enough: it only has to be outside
   if (steep > 0) {
     const T half = sqrt(steep);
     reach = T(1.324718) * (half > reach ? half : reach);  // real root of r^3 = r + 1: outside the outermost root
   }
   T next = x - side * reach;
   if (next == x) return x;
+  const T half_digits(std::ldexp(1.0, -std::numeric_limits<T>::digits / 2));
   for (int i = 0; i < 200; ++i) {  // monotone from outside; stops when rounding turns it back
+    const T before = x;
     x = next;
     evaluate();
+    if (abs(x - before) <= half_digits * abs(x)) break;  // quadratic convergence: the next step is rounding
     next = slope == 0 ? x : T(x - value / slope);
     if (!(side * next > side * x)) break;
   }
@@ -113,6 +127,17 @@ BinaryCubicRoots<T> binary_cubic_roots(const std::array<T, 4>& c) {
   const int more = binary_quadratic_roots(a, b1, c2, pair, discriminant);
   for (int i = 0; i < more; ++i) add(pair[i][0], pair[i][1]);
   return out;
+}
+
+/// Discriminant relative to the fourth power of the largest coefficient: positive for three real roots, negative for
+/// one, 0 for a double root (and for the zero form). Near a double root it is about the squared gap of the roots.
+template <class T>
+T relative_discriminant(const std::array<T, 4>& c) {
+  double size = 0;
+  for (const T& x : c) size = std::max(size, std::abs(approximate(x)));
+  if (!(size > 0)) return T(0);
+  const T scale(unit_scale(size)), p = c[0] * scale, q = c[1] * scale, r = c[2] * scale, s = c[3] * scale;
+  return q * q * r * r - 4 * (p * r * r * r + q * q * q * s) - 27 * p * p * s * s + 18 * p * q * r * s;
 }
 
 }  // namespace burmester

@@ -29,7 +29,6 @@ struct CommonPoints {
   PencilKind kind = PencilKind::regular;
   int count = 0;
   std::array<Point2<T>, 4> point;  ///< largest coordinate of order 1
-  std::array<T, 4> separation;     ///< regular: how far point[i] is from merging with its partner on the same line
   Point2<T> line;                  ///< common_line: the shared line
 };
 
@@ -100,11 +99,9 @@ void intersect_line(LinearForm<T> l, const Conic<T>& q, CommonPoints<T>& out) {
   std::array<std::array<T, 2>, 2> root;
   T discriminant;
   const int n = binary_quadratic_roots(a, b, c, root, discriminant);
-  const T size = a * a + b * b + c * c;
   for (int i = 0; i < n; ++i) {
     Point2<T> p = root[i][0] * u + root[i][1] * v;
     normalise(p);
-    out.separation[out.count] = discriminant / size;
     out.point[out.count++] = p;
   }
 }

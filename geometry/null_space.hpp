@@ -1,4 +1,4 @@
-// Null space of a small full matrix by Gaussian elimination with complete pivoting.
+// Null space of a small full matrix by Gauss-Jordan elimination with complete pivoting.
 //
 // Measured on five-pose synthesis: half the error of Householder QR and of the SVD at less cost, and the last
 // pivot is a usable rank signal (row-wise pivoting fails on nearly parallel poses).
@@ -18,8 +18,10 @@ template <class T, int Rows, int Cols>
 struct NullSpace {
   Matrix<T, Cols, Cols - Rows> basis;  ///< M basis = 0; identity in the rows of the free unknowns
   std::array<int, Cols - Rows> free{};  ///< the free unknowns: z[g] is unknown number free[g] of basis z
-  double smallest_pivot = 0;           ///< |last pivot|, relative to the largest; 0 where the rank is below Rows
-  int rank = 0;                        ///< number of pivots that are not zero (as far as `approximate` can tell)
+  std::array<double, Rows> pivot{};     ///< magnitudes of the pivots, relative to the first
+  double smallest_pivot() const { return pivot[Rows - 1]; }
+  /// Whether errors of size `noise` in the matrix, amplified by the pivot before, can make pivot number k zero.
+  bool is_zero(int k, double noise) const { return pivot[k] * pivot[k - 1] <= noise; }
 };
 
 namespace detail {
@@ -40,40 +42,47 @@ class Largest {
   double best_ = 0;
 };
 
+/// Gauss-Jordan elimination with complete pivoting. Rows are exchanged, columns stay: a column that has had its
+/// pivot holds zeros (exact ones) elsewhere and is never the largest again. Rows are padded to whole vectors.
 template <class T, int Rows, int Cols>
 struct Elimination {
-  static_assert(Rows * Cols <= 128);
-  Matrix<T, Rows, Cols> m;
-  std::array<int, Cols> column;  // column[k]: the unknown that stands in place k after the exchanges
-  double first_pivot = 0, last_pivot = 0;
+  static constexpr int Width = (Cols + 1) / 2 * 2;
+  static_assert(Rows * Width <= 128);
+  T m[Rows][Width];
+  std::array<int, Rows> column{};  ///< column[k]: the unknown of pivot k
+  std::array<double, Rows> pivot{};
 
-  explicit Elimination(const Matrix<T, Rows, Cols>& given) : m(given) {
-    for (int c = 0; c < Cols; ++c) column[c] = c;
+  explicit Elimination(const Matrix<T, Rows, Cols>& given) {
+    for (int r = 0; r < Rows; ++r)
+      for (int c = 0; c < Width; ++c) m[r][c] = c < Cols ? given(r, c) : T(0);
   }
 
   template <int K>
-  bool bring_largest_here() {
+  bool take_largest() {
     std::array<Largest, 4> largest;  // independent chains
-    for (int c = K; c < Cols; ++c)
-      for (int r = K; r < Rows; ++r)
-        largest[(r + c) % 4].look_at(approximate(m(r, c)), static_cast<std::uint64_t>(c * Rows + r));
+    for (int r = K; r < Rows; ++r)
+      for (int c = 0; c < Cols; ++c)
+        largest[c % 4].look_at(approximate(m[r][c]), static_cast<std::uint64_t>(r * Width + c));
     for (int i = 1; i < 4; ++i) largest[0].merge(largest[i]);
-    const int row = largest[0].place() % Rows, col = largest[0].place() / Rows;
-    last_pivot = std::abs(approximate(m(row, col)));
-    if (!(last_pivot > 0) || row < K || col < K) return false;
-    if (K == 0) first_pivot = last_pivot;
-    for (int c = K; c < Cols; ++c) std::swap(m(row, c), m(K, c));
-    for (int r = 0; r < Rows; ++r) std::swap(m(r, col), m(r, K));
-    std::swap(column[col], column[K]);
+    const int row = largest[0].place() / Width, col = largest[0].place() % Width;
+    const double size = std::abs(approximate(m[row][col]));
+    if (!(size > 0) || row < K) return false;
+    column[K] = col;
+    pivot[K] = size;
+    for (int c = 0; c < Width; ++c) std::swap(m[row][c], m[K][c]);
     return true;
   }
 
   template <int K>
-  void eliminate_below() {
-    const T inverse = T(1) / m(K, K);
-    for (int r = K + 1; r < Rows; ++r) {
-      const T factor = m(r, K) * inverse;
-      for (int c = K + 1; c < Cols; ++c) m(r, c) -= factor * m(K, c);
+  void eliminate() {
+    const int col = column[K];
+    const T inverse = T(1) / m[K][col];
+    for (int c = 0; c < Width; ++c) m[K][c] *= inverse;
+    for (int r = 0; r < Rows; ++r) {
+      if (r == K) continue;
+      const T factor = m[r][col];
+      for (int c = 0; c < Width; ++c) m[r][c] -= factor * m[K][c];
+      m[r][col] = T(0);
     }
   }
 
@@ -83,8 +92,8 @@ struct Elimination {
     if constexpr (K == Rows) {
       return Rows;
     } else {
-      if (!bring_largest_here<K>()) return K;
-      eliminate_below<K>();
+      if (!take_largest<K>()) return K;
+      eliminate<K>();
       return run<K + 1>();
     }
   }
@@ -92,29 +101,22 @@ struct Elimination {
 
 }  // namespace detail
 
-/// Rows x Cols (Rows < Cols) -> basis of the null space, Cols x (Cols - Rows). Where the rank is deficient only
-/// `rank` and `smallest_pivot` are meaningful. Over intervals a pivot may not contain 0 (division by it).
+/// Rows x Cols (Rows < Cols) -> basis of the null space, Cols x (Cols - Rows). Where the rank is deficient only the
+/// pivots are meaningful. Over intervals a pivot may not contain 0 (division by it).
 template <class T, int Rows, int Cols>
 NullSpace<T, Rows, Cols> null_space(const Matrix<T, Rows, Cols>& matrix) {
-  constexpr int Free = Cols - Rows;
   detail::Elimination<T, Rows, Cols> e(matrix);
   NullSpace<T, Rows, Cols> out;
-  out.rank = e.run();
-  if (out.rank < Rows) return out;
-  out.smallest_pivot = e.last_pivot / e.first_pivot;
-  Matrix<T, Rows, Free> x;
-  for (int k = Rows - 1; k >= 0; --k) {
-    const T inverse = T(1) / e.m(k, k);
-    for (int f = 0; f < Free; ++f) {
-      T sum = -e.m(k, Rows + f);
-      for (int c = k + 1; c < Rows; ++c) sum -= e.m(k, c) * x(c, f);
-      x(k, f) = sum * inverse;
-    }
-  }
-  for (int f = 0; f < Free; ++f) {
-    for (int k = 0; k < Rows; ++k) out.basis(e.column[k], f) = x(k, f);
-    out.free[f] = e.column[Rows + f];
-    for (int g = 0; g < Free; ++g) out.basis(e.column[Rows + g], f) = T(f == g ? 1 : 0);
+  const int rank = e.run();
+  for (int k = 0; k < rank; ++k) out.pivot[k] = e.pivot[k] / e.pivot[0];
+  if (rank < Rows) return out;
+  unsigned pivoted = 0;
+  for (int k = 0; k < Rows; ++k) pivoted |= 1u << e.column[k];
+  for (int c = 0, f = 0; c < Cols; ++c) {
+    if (pivoted >> c & 1u) continue;
+    for (int g = 0; g < Cols - Rows; ++g) out.basis(c, g) = T(g == f ? 1 : 0);
+    for (int k = 0; k < Rows; ++k) out.basis(e.column[k], f) = -e.m[k][c];
+    out.free[f++] = c;
   }
   return out;
 }

@@ -36,6 +36,11 @@ AnchorChoice choose_anchor(FivePoses poses) {
           std::abs(relative_turn<double>(poses[i], poses[j]).X3) <= same_orientation_tolerance)
         out.equal_poses = true;
     }
+  double farthest = 0;
+  for (const Pose& p : poses) farthest = std::max({farthest, std::abs(p.x), std::abs(p.y)});
+  const double per_turn = out.anchor.turn > 0 ? 1 / out.anchor.turn : 0;
+  if (closest > 0)
+    out.noise = unit_roundoff * std::max(farthest / out.anchor.length, per_turn) / std::sqrt(std::min(1.0, closest));
   return out;
 }
 

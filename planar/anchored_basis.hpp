@@ -69,6 +69,8 @@ struct AnchorChoice {
   Anchor anchor;
   bool equal_poses = false;    ///< two poses coincide (same origin, same orientation up to rounding)
   bool parallel_pair = false;  ///< two poses may have the same orientation: look closer
+  /// What rounding the data once (coordinates, X3 and X4) does to the rows of the closest pair, relative to the rows.
+  double noise = 0;
 };
 
 /// Reference pose, length unit and turn unit for five poses.
@@ -128,6 +130,28 @@ std::array<Conic<T>, 2> relation_conics(const Matrix<T, 7, 3>& basis, const T& e
   b.add_product(form[3], form[2], -1);
   b.add_product(form[4], form[1], 1);
   return {a, b};
+}
+
+/// A root decoded: pivots as seen from the reference pose's origin, in fixed directions and units of the anchor's
+/// length. moving = conj(v / K) = u / K0 and fixed = -K / (2 K0) = -v / (2 conj(u)) are each read from whichever
+/// of the two fractions is better determined (least squares of both), so that only truly infinite pivots are lost.
+template <class T>
+struct AnchoredPivots {
+  T K0;
+  Vector<T, 2> moving, fixed, K, u;  ///< moving is not finite for RP, fixed not for PR
+};
+
+template <class T>
+AnchoredPivots<T> decode_pivots(const Anchored<T>& w, const Anchor& anchor) {
+  const T e(unit_scale(anchor.turn));
+  const T K0 = w[0], u1 = w[3] * e, u2 = w[4] * e, v1 = w[5] * e * e, v2 = w[6] * e;
+  const T K1 = w[1] - 2 * u1, K2 = w[2] - 2 * u2;
+  const T by_K = K0 * K0 + K1 * K1 + K2 * K2, by_u = -2 * (K0 * K0 + u1 * u1 + u2 * u2);
+  return {K0,
+          {T((K0 * u1 + K1 * v1 + K2 * v2) / by_K), T((K0 * u2 + K2 * v1 - K1 * v2) / by_K)},
+          {T((K0 * K1 + u1 * v1 - u2 * v2) / by_u), T((K0 * K2 + u1 * v2 + u2 * v1) / by_u)},
+          {K1, K2},
+          {u1, u2}};
 }
 
 }  // namespace burmester::planar

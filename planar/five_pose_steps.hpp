@@ -37,9 +37,8 @@ template <class T>
 constexpr int newton_steps = 1;
 
 template <class T>
-void add_root(FivePoseRoots<T>& out, const Pencil<T>& pencil, Point2<T> z, const T& separation) {
+void add_root(FivePoseRoots<T>& out, const Pencil<T>& pencil, Point2<T> z) {
   for (int i = 0; i < newton_steps<T>; ++i) z = pencil.improved(z);
-  out.separation[out.count] = separation;
   out.w[out.count++] = pencil.w(z);
 }
 
@@ -78,14 +77,15 @@ void two_orientation_roots(FivePoses poses, const Pencil<T>& pencil, FivePoseRoo
     const Point2<T> v = line.cross(z0).normalized();
     const Conic<T>& q = pencil.a.gradient(z0).squaredNorm() > pencil.b.gradient(z0).squaredNorm() ? pencil.a : pencil.b;
     const Point2<T> z = (-q(v)) * z0 + q.polar(z0, v) * v;
-    add_root(out, pencil, z, lines.separation);
+    add_root(out, pencil, z);
   }
 }
 
 /// One orientation: the span holds PP; with four rows [|t|^2, a, b] of rank below three every point traces
 /// congruent circles (or parallel lines), and every point is a moving pivot.
 template <class T>
-FivePoseCase parallel_case(FivePoses poses, const Anchor& anchor) {
+FivePoseCase parallel_case(FivePoses poses, const AnchorChoice& choice) {
+  const Anchor& anchor = choice.anchor;
   Matrix<T, 3, 4> rows;  // transposed: complete pivoting does not mind
   for (int j = 0, r = 0; j < 5; ++j) {
     if (j == anchor.reference) continue;
@@ -93,14 +93,14 @@ FivePoseCase parallel_case(FivePoses poses, const Anchor& anchor) {
     for (int k = 0; k < 3; ++k) rows(k, r) = row[k];
     ++r;
   }
-  const NullSpace<T, 3, 4> null = null_space(rows);
-  return null.smallest_pivot < rank_tolerance ? FivePoseCase::translation : FivePoseCase::all_parallel;
+  const bool dependent = null_space(rows).is_zero(2, noise_factor * choice.noise);
+  return dependent ? FivePoseCase::translation : FivePoseCase::all_parallel;
 }
 
 /// The conics share a component: find which, and the isolated root if there is one.
 template <class T>
-void degenerate_pencil(const Pencil<T>& pencil, FivePoseRoots<T>& out) {
-  const CommonPoints<T> common = degenerate_common_points(pencil.a, pencil.b, pencil_tolerance);
+void degenerate_pencil(const Pencil<T>& pencil, double tolerance, FivePoseRoots<T>& out) {
+  const CommonPoints<T> common = degenerate_common_points(pencil.a, pencil.b, tolerance);
   if (common.kind == PencilKind::common_line) {
     out.what = FivePoseCase::common_line;
     Point2<T> u, v;
@@ -109,17 +109,14 @@ void degenerate_pencil(const Pencil<T>& pencil, FivePoseRoots<T>& out) {
   } else {
     out.what = common.kind == PencilKind::same_conic ? FivePoseCase::whole_conic : FivePoseCase::common_vertex;
   }
-  for (int i = 0; i < common.count; ++i) {
-    out.separation[out.count] = T(0);
-    out.w[out.count++] = pencil.w(common.point[i]);
-  }
+  for (int i = 0; i < common.count; ++i) out.w[out.count++] = pencil.w(common.point[i]);
 }
 
-/// Scales the conic to size 1 and returns the factor; a conic that is zero to rounding becomes zero.
+/// Scales the conic to size 1 and returns the factor; a conic below the tolerance becomes zero.
 template <class T>
-T scale_to_one(Conic<T>& c) {
+T scale_to_one(Conic<T>& c, double tolerance) {
   const double size = size_of(c);
-  const T factor(size > pencil_tolerance ? unit_scale(size) : 0);
+  const T factor(size > tolerance ? unit_scale(size) : 0);
   for (T& q : c.q) q *= factor;
   return factor;
 }
@@ -146,32 +143,36 @@ FivePoseRoots<T> solve(FivePoses poses) {
     return out;
   }
   if (out.anchor.turn == 0) {
-    out.what = parallel_case<T>(poses, out.anchor);
+    out.what = parallel_case<T>(poses, choice);
     return out;
   }
   Pencil<T> pencil;
   pencil.e = T(out.anchor.turn);
   pencil.null = null_space(anchored_rows<T>(poses, out.anchor));
-  out.smallest_pivot = pencil.null.smallest_pivot;
-  if (out.smallest_pivot < rank_tolerance) {
-    out.what = FivePoseCase::rotation;
+  out.smallest_pivot = pencil.null.smallest_pivot();
+  const double tolerance = noise_factor * choice.noise;
+  if (pencil.null.is_zero(3, tolerance)) {  // pure rotations satisfy K0 = G = u = 0: two independent rows only
+    out.what = pencil.null.is_zero(2, tolerance) ? FivePoseCase::rotation : FivePoseCase::rank_deficient;
     return out;
   }
   const std::array<Conic<T>, 2> conics = relation_conics(pencil.null.basis, pencil.e);
   pencil.a = conics[0], pencil.b = conics[1];
-  pencil.a_scale = scale_to_one(pencil.a), pencil.b_scale = scale_to_one(pencil.b);
+  const double amplified = tolerance / out.smallest_pivot;
+  pencil.a_scale = scale_to_one(pencil.a, amplified), pencil.b_scale = scale_to_one(pencil.b, amplified);
   if (choice.parallel_pair) {
     special_orientations(poses, pencil, out);
     if (out.what != FivePoseCase::regular) return out;
   }
   const std::array<T, 4> cubic = pencil_determinant(pencil.a, pencil.b);
   for (const T& c : cubic) out.pencil_size = std::max(out.pencil_size, std::abs(approximate(c)));
-  if (out.pencil_size < pencil_tolerance) {
-    degenerate_pencil(pencil, out);
+  if (out.pencil_size < amplified) {
+    degenerate_pencil(pencil, amplified, out);
     return out;
   }
+  out.rounding = amplified / out.pencil_size;
+  out.discriminant = approximate(relative_discriminant(cubic));
   const CommonPoints<T> common = regular_common_points(pencil.a, pencil.b, cubic);
-  for (int i = 0; i < common.count; ++i) add_root(out, pencil, common.point[i], common.separation[i]);
+  for (int i = 0; i < common.count; ++i) add_root(out, pencil, common.point[i]);
   return out;
 }
 

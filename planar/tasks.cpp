@@ -26,7 +26,11 @@ FivePoseTask small_rotations(Random& r) {
   return with_angles(r, [&](int) { return 1e-3 * r.normal(); });
 }
 FivePoseTask near_half_turns(Random& r) {
-  return with_angles(r, [&](int j) { return j == 0 ? 0 : pi + 1e-6 * r.normal(); });
+  FivePoseTask task = generic(r);
+  const double from = angle_of(task[0]);
+  for (int j = 1; j < 4; ++j)  // 1e-6, 1e-4 and 1e-2 short of or past half a turn
+    task[j] = pose_from_radians(task[j].x, task[j].y, from + pi + std::pow(10.0, 2 * j - 8) * r.normal());
+  return task;
 }
 FivePoseTask exact_half_turn(Random& r) {
   FivePoseTask task = generic(r);
@@ -150,7 +154,7 @@ const std::vector<TaskClass>& random_task_classes() {
   static const std::vector<TaskClass> classes{
       {"generic", "origins normal, angles uniform", generic},
       {"small_rotations", "rotations of 1e-3", small_rotations},
-      {"near_half_turns", "four poses half a turn from the first, to 1e-6", near_half_turns},
+      {"near_half_turns", "three poses half a turn from the first, to 1e-6, 1e-4 and 1e-2", near_half_turns},
       {"exact_half_turn", "two poses exactly half a turn apart", exact_half_turn},
       {"large_coordinates", "lengths times 1e3", large_coordinates},
       {"small_coordinates", "lengths times 1e-3", small_coordinates},

@@ -1,0 +1,90 @@
+#include "burmester/planar/classify.hpp"
+
+#include <optional>
+
+#include "burmester/geometry/line_fit.hpp"
+#include "burmester/geometry/quad.hpp"
+
+namespace burmester::planar {
+namespace {
+
+Vector2 to_double(const auto& v) { return {static_cast<double>(v[0]), static_cast<double>(v[1])}; }
+
+
+struct Slider {
+  const char* type;
+  Line line;
+  double departure;
+};
+
+Line line_of(const FittedLine& fit) {
+  const Vector2 normal{-fit.direction[1], fit.direction[0]};
+  return {normal, normal.dot(fit.centre)};
+}
+
+/// The best line through the places of a pivot, computed near the reference pose so that a far origin costs nothing.
+std::optional<Slider> PR_through(const Vector2& moving, FivePoses poses, const Pose& reference) {
+  if (!moving.allFinite()) return std::nullopt;
+  std::array<Vector2, 5> places;
+  for (int j = 0; j < 5; ++j) {
+    const Pose& p = poses[j];
+    places[j] = to_fixed({p.x - reference.x, p.y - reference.y, p.X3, p.X4}, moving);
+  }
+  const FittedLine fit = fit_line(places);
+  Line line = line_of(fit);
+  line.offset += line.normal.dot(Vector2(reference.x, reference.y));
+  return Slider{"PR", line, fit.departure};
+}
+
+std::optional<Slider> RP_through(const Vector2& fixed, FivePoses poses, const Pose& reference) {
+  if (!fixed.allFinite()) return std::nullopt;
+  std::array<Vector2, 5> places;
+  for (int j = 0; j < 5; ++j) {
+    const Pose& p = poses[j];
+    places[j] = to_moving({p.x - reference.x, p.y - reference.y, p.X3, p.X4}, fixed);
+  }
+  const FittedLine fit = fit_line(places);
+  return Slider{"RP", line_of(fit), fit.departure};
+}
+
+std::optional<Slider> best_slider(const Vector2& moving, const Vector2& fixed, FivePoses poses, const Pose& reference) {
+  const auto a = PR_through(moving, poses, reference), b = RP_through(fixed, poses, reference);
+  if (!a || (b && b->departure < a->departure)) return b;
+  return a;
+}
+
+}  // namespace
+
+template <class T>
+Found<Dyads::Design> classify(const Anchored<T>& w, const Anchor& anchor, FivePoses poses, double task_size,
+                              double threshold) {
+  using std::sqrt;
+  const AnchoredPivots<T> pivots = decode_pivots(w, anchor);
+  const Pose& reference = poses[anchor.reference];
+  const Pose turn{0, 0, reference.X3, reference.X4};
+  const T length = T(anchor.length);
+  const Vector2 moving = to_moving(turn, to_double(Vector<T, 2>(pivots.moving * length)));
+  const Vector2 fixed = to_double(Vector<T, 2>(pivots.fixed * length));
+  const double radius = static_cast<double>(T((pivots.moving - pivots.fixed).norm() * length));
+
+  Found<Dyads::Design> found;
+  std::optional<Slider> slider;
+  if (!(radius <= task_size)) slider = best_slider(moving, fixed, poses, reference);
+  if (slider && slider->departure <= threshold * task_size) {
+    found.departure = slider->departure;
+    if (slider->type[0] == 'P')
+      found.design = PR::Design{moving, slider->line};
+    else
+      found.design = RP::Design{fixed + Vector2(reference.x, reference.y), slider->line};
+    return found;
+  }
+  found.design = RR::Design{fixed + Vector2(reference.x, reference.y), moving, radius};
+  if (slider && slider->departure <= near_slider_departure * task_size)
+    found.slider = SliderRecord{slider->type, slider->line.record(), slider->departure};
+  return found;
+}
+
+template Found<Dyads::Design> classify(const Anchored<double>&, const Anchor&, FivePoses, double, double);
+template Found<Dyads::Design> classify(const Anchored<Quad>&, const Anchor&, FivePoses, double, double);
+
+}  // namespace burmester::planar

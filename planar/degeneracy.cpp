@@ -1,0 +1,94 @@
+#include "burmester/planar/degeneracy.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace burmester::planar {
+namespace {
+
+bool same_orientation(const Pose& a, const Pose& b) {
+  return std::abs(relative_turn<double>(a, b).X3) <= same_orientation_tolerance;
+}
+
+/// "2 and 4 are equal", and how many different poses there are.
+std::string name_equal_poses(FivePoses poses) {
+  std::vector<std::string> groups;
+  std::array<bool, 5> seen{};
+  int different = 0;
+  for (int i = 0; i < 5; ++i) {
+    if (seen[i]) continue;
+    ++different;
+    std::vector<int> group{i + 1};
+    for (int j = i + 1; j < 5; ++j)
+      if (poses[j].x == poses[i].x && poses[j].y == poses[i].y && same_orientation(poses[i], poses[j]))
+        seen[j] = true, group.push_back(j + 1);
+    if (group.size() > 1) groups.push_back(fmt::format("{}", fmt::join(group, " and ")));
+  }
+  static constexpr const char* family[] = {"", "every dyad meets it", "a three-dimensional family of dyads",
+                                           "a two-dimensional family of dyads",
+                                           "a curve of dyads (circle points and centre points)"};
+  return fmt::format("poses {} are equal: in effect {} pose{}, met by {}", fmt::join(groups, ", "), different,
+                     different == 1 ? "" : "s", different == 1 ? "every dyad" : family[different]);
+}
+
+std::string plural(int n, const char* one, const char* many) { return fmt::format("{} {}", n, n == 1 ? one : many); }
+
+Verdict finite(int complex, int real, std::string message) {
+  return {real > 0 ? Status::exact : Status::none, {0, complex, real, false}, std::move(message)};
+}
+
+Verdict infinite(std::optional<int> dimension, std::string message) {
+  return {Status::degenerate, {dimension, std::nullopt, std::nullopt, false}, std::move(message)};
+}
+
+std::string family_message(const std::string& type, int real) {
+  const std::string rest =
+      real > 0 ? fmt::format("; besides it {}", plural(real, "isolated dyad", "isolated dyads")) : "";
+  if (type == "PR")
+    return "a one-parameter family of PR dyads (as in Cardan motion, where a circle of points moves on lines)" + rest;
+  if (type == "RP")
+    return "a one-parameter family of RP dyads (as in the inverse of Cardan motion)" + rest;
+  return fmt::format("a one-parameter family of {} dyads{}", type, rest);
+}
+
+}  // namespace
+
+Verdict verdict(FivePoseCase what, FivePoses poses, int real, const std::string& family_type) {
+  switch (what) {
+    case FivePoseCase::regular:
+      return finite(4, real, real > 0 ? plural(real, "real dyad", "real dyads") + " of 4 over the complex numbers"
+                                      : "no real dyad exists: all 4 are complex");
+    case FivePoseCase::two_orientations:
+      return finite(2, real,
+                    fmt::format("the poses have two orientations only (3 + 2): two of the four dyads lie at infinity, {}",
+                                real > 0 ? plural(real, "real dyad remains", "real dyads remain")
+                                         : "and of the other two none is real"));
+    case FivePoseCase::common_vertex: return finite(4, real, "one dyad, a solution of multiplicity four");
+    case FivePoseCase::four_parallel: {
+      Verdict out{Status::none, {std::nullopt, std::nullopt, 0, false}, ""};
+      out.message = "no finite dyad exists: four of the five orientations are equal, the fifth is not";
+      return out;
+    }
+    case FivePoseCase::all_parallel:
+      return {Status::exact,
+              {0, std::nullopt, 1, false},
+              "all orientations are equal: the double slider PP is the only dyad"};
+    case FivePoseCase::translation:
+      return infinite(2, "a translation along a circle or a straight line: every point of the body is a moving pivot, "
+                         "besides the double slider PP");
+    case FivePoseCase::equal_poses: return infinite(std::nullopt, name_equal_poses(poses));
+    case FivePoseCase::rotation:
+      return infinite(2, "the poses are rotations about one point: every point of the body moves on a circle about it, "
+                         "and that point of the body is a pivot for any circle through it");
+    case FivePoseCase::rank_deficient:
+      return infinite(std::nullopt,
+                      "the five poses give fewer than four independent conditions: infinitely many dyads");
+    case FivePoseCase::common_line: return infinite(1, family_message(family_type, real));
+    case FivePoseCase::whole_conic: return infinite(1, "a one-parameter family of dyads (the two conditions coincide)");
+  }
+  return {};
+}
+
+}  // namespace burmester::planar

@@ -1,0 +1,14 @@
+// The planar dyad types. To add one: write its header in planar/dyads/, include it here, name it in the list
+// (docs/add_a_dyad.md).
+#pragma once
+
+#include "burmester/modules/framework/dyad_type.hpp"
+#include "burmester/planar/dyads/PP.hpp"
+#include "burmester/planar/dyads/RR.hpp"
+#include "burmester/planar/dyads/sliders.hpp"
+
+namespace burmester::planar {
+
+using Dyads = DyadList<RR, PR, RP, PP>;
+
+}  // namespace burmester::planar

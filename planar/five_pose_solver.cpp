@@ -1,0 +1,104 @@
+#include "burmester/planar/five_pose_solver.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cassert>
+
+#include "burmester/modules/framework/condition.hpp"
+#include "burmester/planar/classify.hpp"
+#include "burmester/planar/degeneracy.hpp"
+#include "burmester/planar/five_pose_oracle.hpp"
+
+namespace burmester::planar {
+namespace {
+
+/// The task seen from the reference pose's origin with the task size as unit of length: there conditions do not
+/// depend on the user's frame and unit.
+struct UnitTask {
+  std::array<Pose, 5> poses;
+  Anchor anchor;
+  UnitTask(FivePoses given, const Anchor& from, double size) : anchor(from) {
+    const Pose& reference = given[from.reference];
+    for (int j = 0; j < 5; ++j) {
+      const Pose& p = given[j];
+      poses[j] = {(p.x - reference.x) / size, (p.y - reference.y) / size, p.X3, p.X4};
+    }
+    anchor.length = from.length / size;
+  }
+};
+
+/// Of an RR that is nearly a slider, the slider's: the far pivot itself is hardly determined, and means nothing.
+template <class T>
+double condition_of(const Anchored<T>& w, const UnitTask& unit) {
+  const auto found = classify(w, unit.anchor, unit.poses, 1, near_slider_departure);
+  return Dyads::visit(found.design, [&]<class D>(const typename D::Design& d) {
+    return condition<D>(d, unit.poses);
+  });
+}
+
+void add(PlanarReport& report, Found<Dyads::Design> found, std::optional<double> condition, FivePoses poses) {
+  found.residual = Dyads::visit(
+      found.design, [&]<class D>(const typename D::Design& d) { return largest_residual<D>(d, poses); });
+  found.condition = condition;
+  report.dyads.push_back(std::move(found));
+}
+
+std::string type_of(const Dyads::Design& design) {
+  return Dyads::visit(design, []<class D>(const typename D::Design&) { return std::string(D::name); });
+}
+
+void warn_of_merging(const auto& roots, PlanarReport& report) {
+  if (roots.what == FivePoseCase::regular && std::abs(roots.discriminant) < roots.rounding)
+    report.warnings.push_back(
+        "two dyads merge within rounding of the data: the number of real dyads may be off by two");
+}
+
+template <class T>
+PlanarReport report_of(const FivePoseRoots<T>& roots, FivePoses poses) {
+  PlanarReport report;
+  const double size = task_size(poses);
+  const UnitTask unit(poses, roots.anchor, size);
+  for (int i = 0; i < roots.count; ++i)
+    add(report, classify(roots.w[i], roots.anchor, poses, size), condition_of(roots.w[i], unit), poses);
+  std::string family_type;
+  if (roots.what == FivePoseCase::common_line)
+    family_type = type_of(classify(roots.family, roots.anchor, poses, size).design);
+  if (roots.what == FivePoseCase::all_parallel || roots.what == FivePoseCase::translation) {
+    Found<Dyads::Design> found;
+    found.design = PP::Design{angle_of(poses[0])};
+    add(report, found, 1, poses);
+  }
+  const Verdict v = verdict(roots.what, poses, static_cast<int>(report.dyads.size()), family_type);
+  report.status = v.status;
+  report.message = v.message;
+  report.counts = v.counts;
+  warn_of_merging(roots, report);
+  sort_dyads(report);
+  return report;
+}
+
+}  // namespace
+
+PlanarReport FivePoseSolver::solve(std::span<const Pose> poses) const {
+  assert(poses.size() == 5);
+  const FivePoses five = poses.first<5>();
+  return report_of(five_pose_roots(five), five);
+}
+
+PlanarReport FivePoseOracle::solve(std::span<const Pose> poses) const {
+  assert(poses.size() == 5);
+  const FivePoses five = poses.first<5>();
+  return report_of(five_pose_roots_quad(five), five);
+}
+
+double task_size(std::span<const Pose> poses) {
+  double size = 0;
+  for (const Pose& a : poses)
+    for (const Pose& b : poses) size = std::max(size, std::hypot(b.x - a.x, b.y - a.y));
+  return size > 0 ? size : 1;
+}
+
+static_assert(Solver<FivePoseSolver> && Solver<FivePoseOracle>);
+
+}  // namespace burmester::planar
