@@ -61,9 +61,10 @@ endfunction()
 
 # burmester_enable_intervals(<target>): interval arithmetic (CGAL's Interval_nt) switches the rounding mode of the
 # processor. A compiler that is not told of it folds 1/3 into a constant, and the box that should contain the truth does
-# not. No other target may compile such code.
+# not. No other target may compile such code. CGAL's headers are found, but CGAL is not linked: the class is inline.
 function(burmester_enable_intervals target)
   target_compile_options(${target} PRIVATE $<$<COMPILE_LANG_AND_ID:CXX,GNU,Clang>:-frounding-math>)
+  target_include_directories(${target} SYSTEM PRIVATE $<TARGET_PROPERTY:CGAL::CGAL,INTERFACE_INCLUDE_DIRECTORIES>)
 endfunction()
 
 # ---- For the functions above and Burmester's own programs ----

@@ -1,0 +1,69 @@
+// What crosses the face of a module: plain data that files, tables and pages are written from.
+// Lengths are in the problem's unit, angles in radians (writers convert), points are as long as the geometry says.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace burmester {
+
+/// A line of a plane: `angle` is its direction in [0, pi), `point` the foot of the perpendicular from the origin of
+/// the frame that carries it.
+struct LineRecord {
+  std::vector<double> point;
+  double angle = 0;
+};
+
+/// The slider that an RR dyad nearly is.
+struct SliderRecord {
+  std::string type;
+  LineRecord line;
+  double departure = 0;
+};
+
+struct DyadRecord {
+  int id = 0;
+  std::string type;
+  std::vector<double> fixed, moving;  ///< pivots (axes on the sphere); empty where the type has none
+  std::optional<LineRecord> line;     ///< fixed line of PR, moving line of RP
+  std::optional<double> length, arc, angle;
+  double residual = 0;                ///< largest distance over the poses from being met
+  std::optional<double> condition;    ///< change of the dyad per change of the poses (docs/concepts.md); none: not counted
+  std::optional<double> departure;    ///< slider: how far the circle that was solved for leaves the line
+  std::optional<SliderRecord> slider;
+};
+
+struct LinkageRecord {
+  int id = 0;
+  int dyads[2] = {0, 0};
+  std::string type;
+  std::optional<std::string> motion_class;  ///< crank-rocker, ..
+  std::optional<double> ground, input, coupler, output;
+  std::optional<double> offset, coupler_offset;  ///< of a pivot from a guide on the same link; the second: PRPR's other
+};
+
+enum class Status { exact, approximate, family, none, degenerate };
+
+/// "exact", "approximate", ...
+std::string_view name_of(Status status);
+
+struct SolutionCounts {
+  std::optional<int> dimension;  ///< of the set of dyads; none where it is degenerate and unknown
+  std::optional<int> complex;    ///< over the complex numbers with multiplicity; none: infinite or not counted
+  std::optional<int> real;
+  bool certified = false;
+};
+
+/// The answer to a synthesis problem.
+struct Synthesis {
+  Status status = Status::none;
+  std::string message;  ///< one sentence for people: what was found, or why nothing is there
+  SolutionCounts counts;
+  std::vector<DyadRecord> dyads;
+  std::vector<LinkageRecord> linkages;
+  std::vector<std::string> warnings;
+};
+
+}  // namespace burmester

@@ -1,0 +1,177 @@
+#include "burmester/modules/framework/result_io.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "burmester/modules/framework/input.hpp"
+
+namespace burmester {
+namespace {
+
+using json = nlohmann::ordered_json;
+
+template <class T>
+json value_or_null(const std::optional<T>& value) {
+  return value ? json(*value) : json(nullptr);
+}
+
+template <class T>
+void put(json& object, const char* key, const std::optional<T>& value) {
+  if (value) object[key] = *value;
+}
+
+json units_of(const Units& units) {
+  json out = json::object();
+  if (!units.length.empty()) out["length"] = units.length;
+  out["angle"] = units.degrees ? "deg" : "rad";
+  return out;
+}
+
+json counts_of(const SolutionCounts& counts) {
+  return {{"dimension", value_or_null(counts.dimension)},
+          {"complex", value_or_null(counts.complex)},
+          {"real", value_or_null(counts.real)},
+          {"certified", counts.certified}};
+}
+
+json line_of(const LineRecord& line, const Units& units) {
+  return {{"point", line.point}, {"angle", shown_direction(line.angle, units)}};
+}
+
+json dyad_of(const DyadRecord& dyad, const Units& units) {
+  json out = {{"id", dyad.id}, {"type", dyad.type}};
+  if (!dyad.fixed.empty()) out["fixed"] = dyad.fixed;
+  if (!dyad.moving.empty()) out["moving"] = dyad.moving;
+  if (dyad.line) out["line"] = line_of(*dyad.line, units);
+  put(out, "length", dyad.length);
+  if (dyad.arc) out["arc"] = shown_angle(*dyad.arc, units);
+  if (dyad.angle) out["angle"] = shown_angle(*dyad.angle, units);
+  out["residual"] = dyad.residual;
+  if (dyad.condition && std::isfinite(*dyad.condition)) out["condition"] = *dyad.condition;
+  put(out, "departure", dyad.departure);
+  if (dyad.slider)
+    out["slider"] = {{"type", dyad.slider->type},
+                     {"line", line_of(dyad.slider->line, units)},
+                     {"departure", dyad.slider->departure}};
+  out["certificate"] = {{"certified", false}};
+  return out;
+}
+
+json linkage_of(const LinkageRecord& linkage, const Units& units, bool arcs) {
+  const auto length = [&](const std::optional<double>& value) {
+    return !value ? json(nullptr) : json(arcs ? shown_angle(*value, units) : *value);
+  };
+  json out = {{"id", linkage.id},
+              {"dyads", {linkage.dyads[0], linkage.dyads[1]}},
+              {"type", linkage.type},
+              {"class", value_or_null(linkage.motion_class)},
+              {"links",
+               {{"ground", length(linkage.ground)},
+                {"input", length(linkage.input)},
+                {"coupler", length(linkage.coupler)},
+                {"output", length(linkage.output)}}}};
+  if (linkage.offset) out["offset"] = length(linkage.offset);
+  if (linkage.coupler_offset) out["coupler_offset"] = length(linkage.coupler_offset);
+  out["circuit_of_pose"] = nullptr;
+  out["drives"] = json::array();
+  out["usable"] = nullptr;
+  out["verdict"] = fmt::format("{}; circuits, branches and order of poses are not analysed in this version",
+                               linkage.motion_class.value_or(linkage.type));
+  return out;
+}
+
+/// {x, y, angle}; a name that comes several times in a row is one array: quaternion_wxyz.
+json pose_of(const std::vector<std::pair<std::string, double>>& shown) {
+  json out = json::object();
+  for (std::size_t i = 0; i < shown.size();) {
+    std::vector<double> values;
+    const std::string& name = shown[i].first;
+    for (; i < shown.size() && shown[i].first == name; ++i) values.push_back(shown[i].second);
+    out[name] = values.size() == 1 ? json(values[0]) : json(values);
+  }
+  return out;
+}
+
+int rank_of(const DyadRecord& dyad) {
+  constexpr std::string_view order[] = {"RR", "PR", "RP", "PP"};
+  return static_cast<int>(std::find(std::begin(order), std::end(order), dyad.type) - std::begin(order));
+}
+
+double size_of(const DyadRecord& dyad) { return dyad.length.value_or(dyad.arc.value_or(0)); }
+
+void sort_and_number(Synthesis& answer) {
+  std::stable_sort(answer.dyads.begin(), answer.dyads.end(), [](const DyadRecord& a, const DyadRecord& b) {
+    return std::pair(rank_of(a), size_of(a)) < std::pair(rank_of(b), size_of(b));
+  });
+  std::map<int, int> number;
+  for (DyadRecord& dyad : answer.dyads) {
+    const int old = dyad.id;
+    dyad.id = static_cast<int>(number.size()) + 1;
+    number[old] = dyad.id;
+  }
+  for (LinkageRecord& linkage : answer.linkages)
+    for (int& dyad : linkage.dyads) dyad = number.at(dyad);
+}
+
+}  // namespace
+
+Synthesis listed(Synthesis answer, const std::vector<std::string>& types) {
+  sort_and_number(answer);
+  if (types.empty()) return answer;
+  std::erase_if(answer.dyads, [&](const DyadRecord& dyad) {
+    return std::find(types.begin(), types.end(), dyad.type) == types.end();
+  });
+  std::set<int> left;
+  for (const DyadRecord& dyad : answer.dyads) left.insert(dyad.id);
+  std::erase_if(answer.linkages, [&](const LinkageRecord& linkage) {
+    return !left.contains(linkage.dyads[0]) || !left.contains(linkage.dyads[1]);
+  });
+  return answer;
+}
+
+json result_document(const Module& module, const Problem& problem, const Synthesis& answer,
+                     const ResultOptions& options) {
+  const Units& units = problem.units;
+  const bool arcs = std::any_of(answer.dyads.begin(), answer.dyads.end(),
+                                [](const DyadRecord& d) { return d.arc.has_value(); });
+  json out = {{"schema", "burmester/result/1"}, {"geometry", problem.geometry}};
+  if (!problem.name.empty()) out["name"] = problem.name;
+  if (!problem.source.empty()) out["source"] = problem.source;
+  out["units"] = units_of(units);
+  out["pose_count"] = problem.poses.size();
+  out["status"] = name_of(answer.status);
+  out["message"] = answer.message;
+  out["solutions"] = counts_of(answer.counts);
+  out["dyads"] = json::array();
+  for (const DyadRecord& dyad : answer.dyads) out["dyads"].push_back(dyad_of(dyad, units));
+  if (options.curves) out["curves"] = json::array();
+  out["linkages"] = json::array();
+  for (const LinkageRecord& linkage : answer.linkages)
+    out["linkages"].push_back(linkage_of(linkage, units, arcs));
+  out["warnings"] = problem.warnings;
+  for (const std::string& warning : answer.warnings) out["warnings"].push_back(warning);
+  if (!problem.types.empty()) out["types"] = problem.types;
+  out["task_size"] = module.task_size(problem);
+  out["poses"] = json::array();
+  for (const PoseData& pose : problem.poses) out["poses"].push_back(pose_of(module.show_pose(pose, units)));
+  return out;
+}
+
+double shown_angle(double angle, const Units& units) {
+  return units.degrees ? angle / std::numbers::pi * 180 : angle;
+}
+
+double shown_direction(double angle, const Units& units) {
+  const double half_turn = units.degrees ? 180 : std::numbers::pi;
+  const double shown = std::fmod(shown_angle(angle, units), half_turn);
+  const double positive = shown < 0 ? shown + half_turn : shown;
+  return positive < half_turn ? positive : 0;  // also where -1e-20 + 180 rounds to 180
+}
+
+}  // namespace burmester

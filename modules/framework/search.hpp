@@ -1,0 +1,119 @@
+// A general solver: any dyad type whose residual can be evaluated, no lifted form needed.
+//
+// Damped Gauss-Newton (K. Levenberg 1944, D. Marquardt 1963) on the residuals in the design's local coordinates, from
+// many random designs. As many poses as D::parameters: designs that meet them; more: local minima of the sum of
+// squares. It is slow and NOT complete: a design that no start leads to is missing, and the count of what was found
+// proves nothing. For checks of direct solvers, and for dyad types that have none. A slider may appear as the
+// very long crank that it is a limit of.
+#pragma once
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "burmester/modules/framework/local.hpp"
+#include "burmester/modules/framework/report.hpp"
+
+namespace burmester {
+
+struct SearchOptions {
+  std::string seed = "search";
+  int starts = 200;
+  int iterations = 100;     ///< for each start
+  double tolerance = 1e-9;  ///< as many poses as parameters: largest residual of an answer, per task size
+  double same = 1e-6;       ///< answers that differ by less on other poses are one, per task size
+};
+
+template <DyadType D>
+struct Refined {
+  typename D::Design design;
+  bool converged = false;  ///< at a stationary point of the sum of squares, up to the accuracy of differences
+};
+
+/// The nearest local minimum of the sum of squared residuals. Precondition: at least D::parameters poses.
+template <DyadType D>
+Refined<D> refine(const typename D::Design& start, std::span<const typename D::Space::Pose> poses,
+                  int iterations = 100) {
+  constexpr int p = D::parameters;
+  const Eigen::Index n = static_cast<Eigen::Index>(poses.size());
+  const double step = step_for<typename D::Space>(poses);
+  Refined<D> out{start};
+  Eigen::VectorXd r = residuals<D>(out.design, poses);
+  double damping = 1e-3;
+  for (int i = 0; i < iterations && r.allFinite(); ++i) {
+    const Eigen::MatrixXd J = design_jacobian<D>(out.design, poses, step);
+    if (!J.allFinite()) break;
+    const double slope = (J.transpose() * r).norm(), size = J.norm();
+    out.converged = slope <= 1e-8 * size * r.norm() || r.norm() == 0;
+    bool better = false;
+    for (; !better && damping < 1e8; damping *= 8) {
+      Eigen::MatrixXd system = Eigen::MatrixXd::Zero(n + p, p);
+      system.topRows(n) = J;
+      system.bottomRows(p).diagonal().setConstant(std::sqrt(damping) * size);
+      Eigen::VectorXd wanted = Eigen::VectorXd::Zero(n + p);
+      wanted.head(n) = -r;
+      const Vector<double, p> u = system.householderQr().solve(wanted);
+      const typename D::Design next = D::nudged(out.design, u);
+      const Eigen::VectorXd next_r = residuals<D>(next, poses);
+      better = next_r.norm() < r.norm();
+      if (better) out.design = next, r = next_r;
+    }
+    if (!better) break;
+    damping = std::max(damping / 64, 1e-18);
+  }
+  return out;
+}
+
+namespace detail {
+
+/// A random design near the poses, as far out as they spread.
+template <DyadType D>
+typename D::Design random_start(Random& random, std::span<const typename D::Space::Pose> poses, double size) {
+  using S = typename D::Space;
+  const auto& near = poses[static_cast<std::size_t>(random.below(static_cast<int>(poses.size())))];
+  const typename D::Design d = D::random_design(random);
+  Vector<double, D::parameters> spread;
+  for (int i = 0; i < D::parameters; ++i) spread[i] = std::max(0.0, size - 1) * random.normal();
+  return D::nudged(D::moved(d, S::template point<double>(near), S::template point<double>(typename S::Pose{})), spread);
+}
+
+/// Poses other than the given ones, on which designs can be told apart.
+template <DyadType D>
+std::vector<typename D::Space::Pose> probes(Random& random, std::span<const typename D::Space::Pose> poses,
+                                            double size) {
+  using S = typename D::Space;
+  std::vector<typename S::Pose> out;
+  for (int i = 0; i < 2 * D::parameters; ++i) {
+    Vector<double, S::dof> u;
+    for (int j = 0; j < S::dof; ++j) u[j] = std::max(1.0, size) * random.normal();
+    out.push_back(S::nudged(poses[static_cast<std::size_t>(i) % poses.size()], u));
+  }
+  return out;
+}
+
+}  // namespace detail
+
+/// Different designs, best first. Precondition: at least D::parameters poses, lengths not far below 1.
+template <DyadType D>
+std::vector<Found<typename D::Design>> search(std::span<const typename D::Space::Pose> poses,
+                                              const SearchOptions& options = {}) {
+  Random random(options.seed);
+  const double size = extent<typename D::Space>(poses);
+  const bool exact = poses.size() == D::parameters;
+  const auto probes = detail::probes<D>(random, poses, size);
+  std::vector<Found<typename D::Design>> out;
+  for (int i = 0; i < options.starts; ++i) {
+    const auto found = refine<D>(detail::random_start<D>(random, poses, size), poses, options.iterations);
+    const double residual = largest_residual<D>(found.design, poses);
+    if (!(exact ? residual <= options.tolerance * size : found.converged)) continue;
+    const bool known = std::any_of(out.begin(), out.end(), [&](const auto& other) {
+      return disagreement<D>(other.design, found.design, probes) <= options.same * std::max(1.0, size);
+    });
+    if (!known) out.push_back({found.design, residual, {}, {}, {}});
+  }
+  std::sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.residual < b.residual; });
+  return out;
+}
+
+}  // namespace burmester
