@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "burmester/modules/framework/random.hpp"
+#include "burmester/geometry/random.hpp"
 #include "burmester/planar/pose.hpp"
 
 namespace burmester::planar {
