@@ -1,0 +1,24 @@
+// A folder that results are written into. Each file appears complete or not at all.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace burmester {
+
+class OutputFolder {
+ public:
+  /// Makes the folder and those above it. Throws InputError where that is not possible.
+  explicit OutputFolder(const std::string& path);
+
+  /// Throws InputError where the file cannot be made, OutputError where writing fails.
+  void write(const std::string& name, std::string_view text) const;
+  void remove(const std::string& name) const;
+  std::string path(const std::string& name) const;
+
+ private:
+  std::filesystem::path folder_;
+};
+
+}  // namespace burmester

@@ -1,0 +1,146 @@
+#include "program/table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "burmester/modules/framework/input.hpp"
+#include "burmester/modules/framework/result_io.hpp"
+
+namespace burmester {
+namespace {
+
+constexpr std::size_t width = 100;
+
+struct Column {
+  std::string head;
+  bool right = false;
+};
+using Row = std::vector<std::string>;
+
+std::string number(double value, int digits) {
+  return fmt::format("{:.{}g}", value == 0 ? 0.0 : value, digits);
+}
+std::string number(const std::optional<double>& value, int digits) {
+  return value ? number(*value, digits) : "";
+}
+
+/// How numbers are shown: significant digits, and what counts as 0 in a coordinate.
+struct Style {
+  int digits = 6;
+  double zero = 0;
+};
+
+std::string point(const std::vector<double>& values, const Style& style) {
+  std::vector<std::string> out;
+  for (const double value : values)
+    out.push_back(number(std::abs(value) < style.zero ? 0 : value, style.digits));
+  return out.empty() ? "" : fmt::format("({})", fmt::join(out, ", "));
+}
+
+/// Columns without any entry are left out; missing entries are dashes.
+std::vector<std::string> lines_of(const std::vector<Column>& columns, const std::vector<Row>& rows) {
+  std::vector<std::string> lines(rows.size() + 1);
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    std::size_t widest = 0;
+    for (const Row& row : rows) widest = std::max(widest, row[k].size());
+    if (widest == 0) continue;
+    widest = std::max(widest, columns[k].head.size());
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      const std::string text = i == 0 ? columns[k].head : rows[i - 1][k].empty() ? "-" : rows[i - 1][k];
+      lines[i] +=
+          columns[k].right ? fmt::format("  {:>{}}", text, widest) : fmt::format("  {:<{}}", text, widest);
+    }
+  }
+  for (std::string& line : lines) line.erase(line.find_last_not_of(' ') + 1);
+  return lines;
+}
+
+/// The table with as many digits as fit.
+std::string table(const std::vector<Column>& columns, const std::function<std::vector<Row>(int)>& rows) {
+  std::vector<std::string> lines;
+  for (int digits = 6; digits >= 3; --digits) {
+    lines = lines_of(columns, rows(digits));
+    if (std::all_of(lines.begin(), lines.end(), [](const std::string& line) { return line.size() <= width; }))
+      break;
+  }
+  return fmt::format("{}\n", fmt::join(lines, "\n"));
+}
+
+std::string reach(const DyadRecord& dyad, const Units& units, const Style& style) {
+  const auto angle = [&](double value) {
+    return fmt::format("{} {}", number(value, style.digits), units.degrees ? "deg" : "rad");
+  };
+  if (dyad.line)
+    return fmt::format("{} at {}", point(dyad.line->point, style),
+                       angle(shown_direction(dyad.line->angle, units)));
+  if (dyad.length) return number(*dyad.length, style.digits);
+  if (dyad.arc) return angle(shown_angle(*dyad.arc, units));
+  return dyad.angle ? angle(shown_angle(*dyad.angle, units)) : "";
+}
+
+std::string reach_title(const std::vector<DyadRecord>& dyads) {
+  const auto any = [&](auto has) { return std::any_of(dyads.begin(), dyads.end(), has); };
+  std::vector<std::string> words;
+  if (any([](const DyadRecord& d) { return d.length.has_value(); })) words.push_back("length");
+  if (any([](const DyadRecord& d) { return d.arc.has_value(); })) words.push_back("arc");
+  if (any([](const DyadRecord& d) { return d.line.has_value(); })) words.push_back("line");
+  if (any([](const DyadRecord& d) { return d.angle.has_value(); })) words.push_back("angle");
+  return one_of(words);
+}
+
+std::string dyad_table(const Problem& problem, const Synthesis& answer, double task_size) {
+  const std::vector<Column> columns = {
+      {"id", true},       {"type"},           {"fixed pivot"}, {"moving pivot"}, {reach_title(answer.dyads)},
+      {"residual", true}, {"condition", true}};
+  return table(columns, [&](int digits) {
+    const Style style{digits, 1e-9 * task_size};
+    std::vector<Row> rows;
+    for (const DyadRecord& d : answer.dyads)
+      rows.push_back({fmt::format("{}", d.id), d.type, point(d.fixed, style), point(d.moving, style),
+                      reach(d, problem.units, style), number(d.residual, 2), number(d.condition, 2)});
+    return rows;
+  });
+}
+
+std::string linkage_table(const Problem& problem, const Synthesis& answer, bool arcs) {
+  const std::vector<Column> columns = {
+      {"id", true},    {"type"},          {"dyads"},        {"class"},        {"ground", true},
+      {"input", true}, {"coupler", true}, {"output", true}, {"offset", true}, {"on coupler", true}};
+  return table(columns, [&](int digits) {
+    const auto length = [&](const std::optional<double>& value) {
+      return value && arcs ? number(shown_angle(*value, problem.units), digits) : number(value, digits);
+    };
+    std::vector<Row> rows;
+    for (const LinkageRecord& l : answer.linkages)
+      rows.push_back({fmt::format("{}", l.id), l.type, fmt::format("{}, {}", l.dyads[0], l.dyads[1]),
+                      l.motion_class.value_or(""), length(l.ground), length(l.input), length(l.coupler),
+                      length(l.output), length(l.offset), length(l.coupler_offset)});
+    return rows;
+  });
+}
+
+std::string task_text(const Problem& problem) {
+  std::string out = fmt::format("{}, {} poses; ", problem.geometry, problem.poses.size());
+  if (!problem.units.length.empty())
+    out += fmt::format("lengths in {}, ", printable(problem.units.length, 20));
+  return out + (problem.units.degrees ? "angles in deg" : "angles in rad");
+}
+
+}  // namespace
+
+std::string answer_text(const Problem& problem, const Synthesis& answer, double task_size) {
+  const bool arcs = std::any_of(answer.dyads.begin(), answer.dyads.end(),
+                                [](const DyadRecord& d) { return d.arc.has_value(); });
+  std::string out;
+  if (!problem.name.empty()) out += printable(problem.name, width - 2) + "\n";
+  out += fmt::format("{}\n{}\n", task_text(problem), answer.message);
+  if (!answer.dyads.empty()) out += "\nDyads\n" + dyad_table(problem, answer, task_size);
+  if (!answer.linkages.empty()) out += "\nLinkages\n" + linkage_table(problem, answer, arcs);
+  return out;
+}
+
+}  // namespace burmester

@@ -1,0 +1,98 @@
+#include "report/report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include <nlohmann/json.hpp>
+
+#include "burmester/modules/framework/json_text.hpp"
+#include "report/page.hpp"
+
+namespace burmester {
+namespace {
+
+using json = nlohmann::ordered_json;
+
+/// Rounds to a step of a power of ten.
+class Rounding {
+ public:
+  explicit Rounding(double size) {
+    const double exponent = size > 0 && std::isfinite(size) ? std::floor(std::log10(size)) - 6 : -6;
+    factor_ = std::pow(10, std::clamp(-exponent, -300.0, 300.0));
+  }
+  double operator()(double value) const {
+    const double rounded = std::round(value * factor_) / factor_;
+    return std::isfinite(rounded) ? rounded : value;
+  }
+  json operator()(const std::array<double, 2>& point) const { return {(*this)(point[0]), (*this)(point[1])}; }
+  json operator()(const Snapshot& snapshot) const {
+    json out = json::array();
+    for (const Polyline& line : snapshot) {
+      out.push_back(json::array());
+      for (const auto& point : line) out.back().push_back((*this)(point));
+    }
+    return out;
+  }
+  json operator()(const std::vector<Snapshot>& snapshots) const {
+    json out = json::array();
+    for (const Snapshot& snapshot : snapshots) out.push_back((*this)(snapshot));
+    return out;
+  }
+
+ private:
+  double factor_;
+};
+
+json linkage_of(const LinkageDrawing& linkage) {
+  const auto& w = linkage.window;
+  const Rounding rounded(std::max(w[2] - w[0], w[3] - w[1]));
+  json parts = json::array(), motions = json::array();
+  for (const Part& part : linkage.parts)
+    parts.push_back(
+        {{"role", part.role}, {"label", part.label}, {"closed", part.closed}, {"dyad", part.dyad}});
+  for (const MotionDrawing& motion : linkage.motions)
+    motions.push_back({{"poses", motion.poses},
+                       {"pose_frames", motion.pose_frames},
+                       {"closed", motion.closed},
+                       {"frames", rounded(motion.frames)}});
+  return {{"id", linkage.id},
+          {"parts", parts},
+          {"at_pose", rounded(linkage.at_pose)},
+          {"motions", motions},
+          {"window", {rounded(w[0]), rounded(w[1]), rounded(w[2]), rounded(w[3])}}};
+}
+
+/// Inside a script element no text may close it or open a comment.
+std::string for_script(std::string text) {
+  for (std::size_t at = 0; (at = text.find('<', at)) != text.npos; at += 6) text.replace(at, 1, "\\u003c");
+  return text;
+}
+
+void fill(std::string& page, std::string_view placeholder, std::string_view text) {
+  const std::size_t at = page.find(placeholder);
+  if (at == page.npos) throw std::logic_error("the report page has no place for " + std::string(placeholder));
+  page.replace(at, placeholder.size(), text);
+}
+
+}  // namespace
+
+json drawing_document(const Drawing& drawing) {
+  json poses = json::array(), linkages = json::array();
+  for (const PoseDrawing& pose : drawing.poses)
+    poses.push_back(
+        {{"label", pose.label}, {"origin", pose.origin}, {"x_axis", pose.x_axis}, {"y_axis", pose.y_axis}});
+  for (const LinkageDrawing& linkage : drawing.linkages) linkages.push_back(linkage_of(linkage));
+  return {{"poses", poses}, {"linkages", linkages}};
+}
+
+std::string report_page(const json& result, const Drawing& drawing) {
+  std::string page(page_html);
+  fill(page, "/*BURMESTER_CSS*/", page_css);
+  fill(page, "/*BURMESTER_JS*/", page_js);
+  fill(page, "/*BURMESTER_DATA*/",
+       for_script(json_line({{"result", result}, {"drawing", drawing_document(drawing)}})));
+  return page;
+}
+
+}  // namespace burmester

@@ -1,0 +1,56 @@
+// A small SVG writer: a window of the plane, y up, same scale on both axes, below a title.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "burmester/modules/framework/drawing.hpp"
+
+namespace burmester {
+
+using Point2 = std::array<double, 2>;
+
+/// Okabe and Ito's colours, grey and ink; poses take them in turn.
+std::string_view pose_colour(std::size_t pose);
+inline constexpr std::string_view ink = "#1d2126", soft_ink = "#5a626c", bar_fill = "#e9edf1";
+
+/// xmin, ymin, xmax, ymax of all points, made a little larger; not empty even for none.
+std::array<double, 4> window_of(const std::vector<Point2>& points, double margin);
+
+class Svg {
+ public:
+  Svg(const std::array<double, 4>& window, std::string_view title);
+
+  /// Position on the sheet, in pixels.
+  Point2 place(const Point2& p) const;
+  double scale() const { return scale_; }
+  double width() const { return width_; }
+  double height() const { return height_; }
+  bool inside(const Point2& placed) const;
+
+  /// Attributes are SVG: stroke="..". Points are placed already.
+  void polyline(const Polyline& placed, bool closed, std::string_view attributes);
+  void circle(const Point2& placed, double radius, std::string_view attributes);
+  void text(const Point2& placed, std::string_view words, std::string_view attributes);
+  /// A0: the digits below the line.
+  void label(const Point2& placed, std::string_view name, std::string_view attributes);
+  void scale_bar(std::string_view unit);
+  void frame(const Point2& placed, const Point2& x, const Point2& y, double length, std::string_view colour,
+             std::string_view label);
+  void axes();
+  void ground(const Point2& placed);
+  /// A straight guide through the window, hatched below where it belongs to the ground.
+  void guide(const Point2& a, const Point2& b, bool hatched, std::string_view colour);
+
+  std::string finish() const;
+
+ private:
+  void arrow(const Point2& from, const Point2& direction, double length, std::string_view colour, bool open);
+
+  std::array<double, 4> window_;
+  double scale_ = 1, width_ = 0, height_ = 0;
+  std::string title_, body_;
+};
+
+}  // namespace burmester
