@@ -3,6 +3,8 @@
 // One real root by Newton's method from outside all roots, then deflation to a quadratic from the side that
 // loses nothing: W. Kahan, "To solve a real cubic equation", UC Berkeley lecture notes (1986). A projective
 // root needs no case for a vanishing leading coefficient: the form is read from its larger end.
+// Backward stable: a root is one of a form whose coefficients differ by a few unit roundoffs of the largest.
+// Precondition: coefficients that are not zero have magnitudes between 1e-40 and 1e40.
 #pragma once
 
 #include <algorithm>
@@ -87,7 +89,9 @@ T outermost_root(const T& a, const T& b, const T& c, const T& d, T& b1, T& c2) {
     evaluate();
     if (abs(x - before) <= half_digits * abs(x)) break;  // quadratic convergence: the next step is rounding
     next = slope == 0 ? x : T(x - value / slope);
-    if (!(side * next > side * x)) break;
+    if (side * next > side * x) continue;
+    if (abs(next - x) <= half_digits * abs(x - before)) x = next, evaluate();  // the last step ended in its rounding
+    break;
   }
   if (abs(a) * x * x > abs(d / x)) {
     c2 = -d / x;

@@ -125,6 +125,8 @@ class PencilSeparation {
     top_ = {minors(a, a), 2 * minors(a, b), minors(b, b)};
     bottom_ = {dot(a, a), 2 * dot(a, b), dot(b, b)};
   }
+  /// -trace of the adjugate of s A + t B: coefficients of s^2, s t, t^2
+  const std::array<T, 3>& top() const { return top_; }
   T operator()(const T& s, const T& t) const {
     return (s * (top_[0] * s + top_[1] * t) + top_[2] * t * t) /
            (s * (bottom_[0] * s + bottom_[1] * t) + bottom_[2] * t * t);

@@ -21,7 +21,10 @@ using LinearForm = Vector<T, 3>;
 
 template <class T>
 struct Conic {
-  std::array<T, 6> q{};
+  std::array<T, 6> q;
+
+  Conic() { q.fill(T(0)); }  // not every number type starts at 0
+  explicit Conic(const std::array<T, 6>& coefficients) : q(coefficients) {}
 
   T operator()(const Point2<T>& p) const {
     return p[0] * (q[0] * p[0] + q[5] * p[1] + q[4] * p[2]) + p[1] * (q[1] * p[1] + q[3] * p[2]) + q[2] * p[2] * p[2];

@@ -10,6 +10,7 @@
 #include <CGAL/Interval_nt.h>
 
 #include "burmester/geometry/number.hpp"
+#include "burmester/geometry/sign.hpp"
 
 namespace burmester {
 
@@ -35,5 +36,16 @@ template <>
 inline double approximate(const Interval& x) {
   return x.inf() + (x.sup() - x.inf()) / 2;
 }
+
+template <>
+inline std::optional<int> known_sign(const Interval& x) {
+  if (x.inf() > 0) return 1;
+  if (x.sup() < 0) return -1;
+  if (x.inf() == 0 && x.sup() == 0) return 0;
+  return std::nullopt;
+}
+
+inline double lower(const Interval& x) { return x.inf(); }
+inline double upper(const Interval& x) { return x.sup(); }
 
 }  // namespace burmester

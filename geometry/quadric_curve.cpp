@@ -7,7 +7,9 @@ namespace {
 
 using Point = Point3<double>;
 
-constexpr double smallest_step = 2e-6;   // below it two branches count as crossing
+constexpr double smallest_step = 1e-9;   // in hairpins
+constexpr double near_crossing = 1e-4;   // length of the tangent; there ..
+constexpr double narrowest_gap = 2e-6;   // .. steps end here, and two branches count as crossing
 constexpr double leap = 2e-3;            // the step across a crossing
 constexpr double singular = 1e-7;        // length of a tangent that shows no direction
 constexpr double on_curve = 4e-16;        // values of quadrics of size 1 at unit vectors: a few roundoffs
@@ -30,13 +32,14 @@ class Walker {
   }
 
   WalkEnd run() {
-    for (double step = options_.longest_step / 4; points_.size() < options_.most_points;) {
+    double step = options_.longest_step / 4;
+    for (std::size_t steps = 1; steps < options_.most_points; ++steps) {
       const std::optional<double> done = advance(step);
       if (!done) return WalkEnd::singular;
       if (closes(*done)) return WalkEnd::closed;
       if (options_.stop && options_.stop(at_)) return WalkEnd::stopped;
       points_.push_back(at_);
-      step = std::min(1.5 * std::max(*done, smallest_step), options_.longest_step);
+      step = std::min(1.5 * std::max(*done, narrowest_gap), options_.longest_step);
     }
     return WalkEnd::too_long;
   }
@@ -50,7 +53,8 @@ class Walker {
 
   /// Moves on by a step of at most the given length, and across a crossing; the length, or nothing.
   std::optional<double> advance(double step) {
-    for (; step > smallest_step; step /= 2)
+    const double smallest = curve_.tangent(at_).norm() < near_crossing ? narrowest_gap : smallest_step;
+    for (; step > smallest; step /= 2)
       if (try_step(step, options_.turning)) return step;
     return leap_ahead();
   }
@@ -72,9 +76,12 @@ class Walker {
   bool try_step(double step, double turning) {
     const Point guess = (at_ + step * heading_).normalized();
     const std::optional<Point> next = curve_.corrected(guess);
-    if (!next || angle_between(*next, guess) > 0.25 * step) return false;
+    if (!next) return false;
     const Point heading = heading_at(*next);
-    if (heading.isZero() || angle_between(heading, heading_) > turning) return false;
+    const double turn = angle_between(heading, heading_);
+    if (heading.isZero() || turn > turning) return false;
+    // On one smooth arc the predictor misses by half of step times turn; a larger miss is another arc.
+    if (angle_between(*next, guess) > step * (turn + 0.01)) return false;
     before_ = at_, at_ = *next, heading_ = heading;
     return true;
   }

@@ -1,6 +1,6 @@
 // Walks along the curve in which two quadrics A, B of projective space meet. FOR DRAWING ONLY: a walk is a sample.
-// It may step over a gap between two components that is narrower than its smallest step, so no verdict about
-// circuits or branches follows from it.
+// Where two components pass each other closer than about 1e-6 it goes straight on, as if they crossed, so no
+// verdict about circuits or branches follows from it.
 //
 // Points are unit vectors x of R^4; x and -x are the same point. The tangent is the kernel of x, grad A(x) and
 // grad B(x), oriented by the determinant: along a smooth component it never vanishes, and where two branches

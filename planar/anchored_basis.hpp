@@ -47,22 +47,28 @@ struct RelativeTurn {
   T X3, X4;
 };
 
-/// Over double the relative error of X3 is a few unit roundoffs however small the rotation: with equal norms the
-/// difference of two close image points is exact and nearly orthogonal to them, so nothing cancels in
-/// (b - a) x a = b x a; points of different norms take the error-free products. X3 is 0 exactly where the doubles
-/// are proportional.
+/// The smaller of the two is formed so that it cannot cancel, however small: with equal norms, b is close to s a (to the
+/// quarter turn s (a4, -a3) of a, where X4 is the smaller), their difference is exact and nearly orthogonal to what it
+/// is multiplied with; and what is subtracted drops out of the exact result. Over double the relative error of the
+/// smaller one is then a few unit roundoffs; points of different norms take the error-free products.
 template <class T>
 RelativeTurn<T> relative_turn(const Pose& a, const Pose& b) {
-  const T c = T(b.X4) * T(a.X4) + T(b.X3) * T(a.X3);
-  if constexpr (std::is_same_v<T, double>) {
-    const double sign = c < 0 ? -1.0 : 1.0, b3 = sign * b.X3, b4 = sign * b.X4;  // the nearer of the two signs
-    const double d3 = b3 - a.X3, d4 = b4 - a.X4;
-    if (std::abs(d3 * (b3 + a.X3) + d4 * (b4 + a.X4)) > 0x1p-30)  // |b|^2 - |a|^2
-      return {difference_of_products(b.X3, a.X4, b.X4, a.X3), c};
-    return {sign * (d3 * a.X4 - d4 * a.X3), c};
-  } else {
-    return {T(b.X3) * T(a.X4) - T(b.X4) * T(a.X3), c};
+  const T a3(a.X3), a4(a.X4), b3(b.X3), b4(b.X4);
+  RelativeTurn<T> turn{T(b3 * a4 - b4 * a3), T(b4 * a4 + b3 * a3)};
+  const double sine = approximate(turn.X3), cosine = approximate(turn.X4);
+  if (std::abs(cosine) < std::abs(sine)) {
+    const T s(sine < 0 ? -1 : 1);
+    turn.X4 = (b3 - s * a4) * a3 + (b4 + s * a3) * a4;
+    return turn;
   }
+  if constexpr (std::is_same_v<T, double>)
+    if (std::abs((b3 - a3) * (b3 + a3) + (b4 - a4) * (b4 + a4)) > 0x1p-30) {  // |b|^2 - |a|^2
+      turn.X3 = difference_of_products(b3, a4, b4, a3);
+      return turn;
+    }
+  const T s(cosine < 0 ? -1 : 1);
+  turn.X3 = (b3 - s * a3) * a4 - (b4 - s * a4) * a3;
+  return turn;
 }
 
 struct AnchorChoice {

@@ -46,7 +46,9 @@ Box window_of(const LinkageDrawing& drawing) {
         for (const auto& p : snapshot[k]) take(Vector2(p[0], p[1]));
   };
   for (const Snapshot& s : drawing.at_pose)
-    each_point(s, [&](const Vector2& p) { if (p.norm() < 1.3) box.take(p); });
+    each_point(s, [&](const Vector2& p) {
+      if (p.norm() < 1.3) box.take(p);
+    });
   const Box limits = box.with_margin(0.33);
   for (const MotionDrawing& m : drawing.motions)
     for (const Snapshot& s : m.frames)

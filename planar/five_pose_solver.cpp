@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 
 #include "burmester/modules/framework/condition.hpp"
 #include "burmester/planar/classify.hpp"
 #include "burmester/planar/degeneracy.hpp"
+#include "burmester/planar/five_pose_certificate.hpp"
 #include "burmester/planar/five_pose_oracle.hpp"
 
 namespace burmester::planar {
@@ -54,13 +56,34 @@ void warn_of_merging(const auto& roots, PlanarReport& report) {
         "two dyads merge within rounding of the data: the number of real dyads may be off by two");
 }
 
+/// Puts the certificate of root i on the last dyad of the report.
+void attach(const CertifiedRoots& certified, int i, FivePoses poses, PlanarReport& report) {
+  const DyadBox& box = certified.boxes[static_cast<std::size_t>(i)];
+  if (box.rung == Rung::none) return;
+  auto& found = report.dyads.back();
+  const double radius = error_bound(found.design, box, poses, certified.roots.anchor);
+  if (std::isfinite(radius)) found.certificate = {true, radius, box.rung};
+}
+
+void state_proof(const CertifiedRoots& certified, PlanarReport& report) {
+  report.counts.certified =
+      certified.complete && std::all_of(report.dyads.begin(), report.dyads.end(),
+                                        [](const auto& found) { return found.certificate.certified; });
+  if (!report.counts.certified) return;
+  double radius = 0;
+  for (const auto& found : report.dyads) radius = std::max(radius, found.certificate.radius);
+  report.message += report.dyads.empty() ? ", proved" : fmt::format(", proved complete, true to {:.0e}", radius);
+}
+
 template <class T>
-PlanarReport report_of(const FivePoseRoots<T>& roots, FivePoses poses) {
+PlanarReport report_of(const FivePoseRoots<T>& roots, FivePoses poses, const CertifiedRoots* certified = nullptr) {
   PlanarReport report;
   const double size = task_size(poses);
   const UnitTask unit(poses, roots.anchor, size);
-  for (int i = 0; i < roots.count; ++i)
+  for (int i = 0; i < roots.count; ++i) {
     add(report, classify(roots.w[i], roots.anchor, poses, size), condition_of(roots.w[i], unit), poses);
+    if (certified) attach(*certified, i, poses, report);
+  }
   std::string family_type;
   if (roots.what == FivePoseCase::common_line)
     family_type = type_of(classify(roots.family, roots.anchor, poses, size).design);
@@ -73,7 +96,8 @@ PlanarReport report_of(const FivePoseRoots<T>& roots, FivePoses poses) {
   report.status = v.status;
   report.message = v.message;
   report.counts = v.counts;
-  warn_of_merging(roots, report);
+  if (certified) state_proof(*certified, report);
+  if (!report.counts.certified) warn_of_merging(roots, report);
   sort_dyads(report);
   return report;
 }
@@ -83,7 +107,9 @@ PlanarReport report_of(const FivePoseRoots<T>& roots, FivePoses poses) {
 PlanarReport FivePoseSolver::solve(std::span<const Pose> poses) const {
   assert(poses.size() == 5);
   const FivePoses five = poses.first<5>();
-  return report_of(five_pose_roots(five), five);
+  if (!certify) return report_of(five_pose_roots(five), five);
+  const CertifiedRoots certified = certified_five_pose_roots(five);
+  return report_of(certified.roots, five, &certified);
 }
 
 PlanarReport FivePoseOracle::solve(std::span<const Pose> poses) const {

@@ -8,13 +8,15 @@ namespace burmester::planar {
 
 using PlanarReport = Report<Dyads>;
 
-/// The direct solver (five_pose_roots.hpp) with types, residuals, conditions and a verdict on degenerate poses.
+/// The direct solver (five_pose_roots.hpp) with types, residuals, conditions, a verdict on degenerate poses and, unless
+/// told otherwise, the proof that the list is complete (five_pose_certificate.hpp).
 /// Precondition of both: exactly five poses of finite numbers, X3 and X4 of no pose both zero.
 struct FivePoseSolver {
   using Pose = planar::Pose;
   using Dyads = planar::Dyads;
   static constexpr const char* name = "five poses, direct";
-  static constexpr const char* answers = "all RR, PR, RP and PP dyads for five poses in one solve";
+  static constexpr const char* answers = "all RR, PR, RP and PP dyads for five poses in one solve, proved complete";
+  bool certify = true;
   PlanarReport solve(std::span<const Pose> poses) const;
 };
 

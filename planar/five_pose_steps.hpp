@@ -71,7 +71,8 @@ void two_orientation_roots(FivePoses poses, const Pencil<T>& pencil, FivePoseRoo
   w0[5] = v1, w0[6] = v2;
   Point2<T> z0;
   for (int g = 0; g < 3; ++g) z0[g] = w0[pencil.null.free[g]];
-  const LinePair<T> lines = burmester::detail::split(pencil_member(pencil.a, v2, pencil.b, T(-v1)));
+  const LinePair<T> lines =
+      burmester::detail::split(pencil_member(pencil.a, T(v2 * pencil.b_scale), pencil.b, T(-v1 * pencil.a_scale)));
   if (!(lines.separation > 0)) return;
   for (const LinearForm<T>& line : {lines.first, lines.second}) {
     const Point2<T> v = line.cross(z0).normalized();

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numbers>
 
+#include "burmester/modules/framework/condition.hpp"
+#include "burmester/modules/framework/search.hpp"
 #include "burmester/planar/drawing.hpp"
 #include "burmester/planar/five_pose_solver.hpp"
 #include "burmester/planar/linkage.hpp"
@@ -28,11 +31,52 @@ ModuleInfo describe() {
   return info;
 }
 
-void require_five_poses(const Problem& problem) {
+/// Dyad types without a lifted form are found by search; the direct solver does not know them.
+template <class D>
+constexpr bool searched = !LiftedDyadType<D>;
+
+bool asked_for(const Problem& problem, std::string_view type) {
+  return std::find(problem.types.begin(), problem.types.end(), type) != problem.types.end();
+}
+
+/// Adds what search finds of the types that are asked for by name and have no direct solver.
+void add_searched(const Problem& problem, std::span<const Pose> poses, PlanarReport& report) {
+  Dyads::for_each([&]<class D>() {
+    if constexpr (searched<D>) {
+      if (!asked_for(problem, D::name)) return;
+      if (poses.size() < D::parameters)
+        throw NotAvailable(fmt::format("{} dyads for fewer than {} poses", D::name, D::parameters));
+      const auto found = search<D>(poses);
+      for (const auto& f : found) report.dyads.push_back({f.design, f.residual, condition<D>(f.design, poses), {}, {}, {}});
+      report.warnings.push_back(
+          fmt::format("{} dyads were found by search: {} of them, there may be more", D::name, found.size()));
+      if (!found.empty() && report.status == Status::none)
+        report.status = poses.size() == D::parameters ? Status::exact : Status::approximate;
+    }
+  });
+}
+
+bool only_searched(const Problem& problem) {
+  std::size_t known = 0;
+  Dyads::for_each([&]<class D>() { known += searched<D> && asked_for(problem, D::name); });
+  return known > 0 && known == problem.types.size();
+}
+
+PlanarReport solve(const Problem& problem, std::span<const Pose> poses) {
   if (!problem.fixed.empty() || !problem.moving.empty())
     throw NotAvailable("planar synthesis for given fixed or moving pivots");
-  if (problem.poses.size() != 5)
-    throw NotAvailable(fmt::format("planar synthesis for {} poses (this version solves five)", problem.poses.size()));
+  PlanarReport report;
+  if (only_searched(problem)) {
+    report.message = "the types asked for are found by search, which is not complete";
+    report.counts.dimension = 0;
+  } else if (poses.size() == 5) {
+    report = FivePoseSolver{.certify = problem.certify}.solve(poses);
+  } else {
+    throw NotAvailable(fmt::format("planar synthesis for {} poses (this version solves five)", poses.size()));
+  }
+  add_searched(problem, poses, report);
+  sort_dyads(report);
+  return report;
 }
 
 class PlanarModule final : public Module {
@@ -52,9 +96,8 @@ class PlanarModule final : public Module {
   double task_size(const Problem& problem) const override { return planar::task_size(poses_of(problem)); }
 
   Synthesis synthesize(const Problem& problem) const override {
-    require_five_poses(problem);
     const std::vector<Pose> poses = poses_of(problem);
-    const PlanarReport report = FivePoseSolver().solve(poses);
+    const PlanarReport report = solve(problem, poses);
     return {report.status,       report.message, report.counts, records_of(report),
             linkages_of(report.dyads, planar::task_size(poses)), report.warnings};
   }

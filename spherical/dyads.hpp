@@ -1,10 +1,12 @@
-// The dyad types of the sphere. Axes through the centre take the place of the plane's points, arcs that of lengths.
+// The dyad types of the sphere: axes through the centre take the place of points, arcs that of lengths.
 //
 // RR: the moving axis a (in E) keeps the angle `arc` from the fixed axis b (in S): b . Q a = cos(arc).
-// PR: the slider, an RR whose arc is 90 deg: a moves in the plane through the centre that is perpendicular to b. Seen
+// PR: the slider, an RR whose arc is 90 deg: a stays in the plane through the centre perpendicular to b. Seen
 // from the moving body it is again a slider, so that on the sphere PR and RP are one type.
+//
 // Axes are lines: (b, a, arc) ~ (-b, a, pi - arc) ~ (b, -a, pi - arc).
-// Source: J. M. McCarthy, G. S. Soh, "Geometric Design of Linkages", 2nd ed. 2011, chapter on spherical chains.
+//
+// Source: J. M. McCarthy, G. S. Soh, "Geometric Design of Linkages", 2nd ed. 2011 (spherical chains).
 #pragma once
 
 #include "burmester/modules/framework/dyad_type.hpp"
@@ -32,8 +34,9 @@ struct RR {
   static Design inverse(const Design& d) { return {d.moving, d.fixed, d.arc}; }
   static Design nudged(const Design& d, const Vector<double, parameters>& u);
   static Design random_design(Random& random);
-  /// As people see it: the moving axis with its last non-zero coordinate positive, then the fixed axis so that the
-  /// arc is at most 90 deg (PR: last non-zero coordinate positive). Coordinates up to `zero` count as zero.
+  /// As people see it: the moving axis with its last non-zero coordinate positive, then the fixed axis so
+  /// that the arc is at most 90 deg (PR: last non-zero coordinate positive). Coordinates up to `zero` count
+  /// as zero.
   static DyadRecord record(const Design& d, double zero = 0);
   static Vector<double, 10> encode(const Design& d);
 };

@@ -2,8 +2,8 @@
 //
 // With x the image point and N = norm(x), the constraint is a quadric of P^3 that is linear in
 //   k = [b (x) a row by row, -cos(arc)]:   row(x) . k = N (b . Q a) - N cos(arc).
-// k is a dyad where its 3 x 3 part has rank one; |a| = |b| = 1 fixes the scale, and |cos(arc)| <= 1 makes it real.
-// Slider: the last entry is 0.
+// k is a dyad where its 3 x 3 part has rank one; |a| = |b| = 1 fixes the scale, and |cos(arc)| <= 1 makes it
+// real. Slider: the last entry is 0.
 #pragma once
 
 #include <optional>
@@ -34,7 +34,7 @@ struct Family {
     return out;
   }
 
-  /// The nine 2 x 2 minors of the 3 x 3 part, ordered like its entries (minor i, j leaves out row i and column j).
+  /// The nine 2 x 2 minors of the 3 x 3 part; minor i, j leaves out row i and column j.
   template <class T>
   static Vector<T, relation_count> relations(const Vector<T, dimension>& k) {
     const auto m = [&](int i, int j) -> const T& { return k[3 * (i % 3) + j % 3]; };
@@ -45,8 +45,8 @@ struct Family {
     return out;
   }
 
-  /// The dyad of k, or of the rank-one matrix nearest to its 3 x 3 part. Empty where that part is zero or the arc is
-  /// not real. A slider where the arc is within slider_arc_tolerance of 90 deg.
+  /// The dyad of k, or of the rank-one matrix nearest to its 3 x 3 part. Empty where that part is zero or the
+  /// arc is not real. A slider where the arc is within slider_arc_tolerance of 90 deg.
   static std::optional<Design> decode(const Vector<double, dimension>& k);
 };
 

@@ -29,10 +29,14 @@ Half half_of_degrees(double angle) {
   const long double rest = (half - 90 * quarters) * (std::numbers::pi_v<long double> / 180);
   const double s = static_cast<double>(std::sin(rest)), c = static_cast<double>(std::cos(rest));
   switch (static_cast<int>(quarters) & 3) {
-    case 0: return {s, c};
-    case 1: return {c, 0 - s};
-    case 2: return {0 - s, -c};
-    default: return {-c, s};
+    case 0:
+      return {s, c};
+    case 1:
+      return {c, 0 - s};
+    case 2:
+      return {0 - s, -c};
+    default:
+      return {-c, s};
   }
 }
 
@@ -45,7 +49,8 @@ Pose about(const Axis& axis, Half half) {
 
 Pose globe(Half longitude, Half latitude, Half roll) {
   const auto point = [](const Axis& axis, Half half) { return Space::point<double>(about(axis, half)); };
-  const auto tilted = Space::product<double>(point(z_axis, longitude), point(y_axis, {-latitude.sine, latitude.cosine}));
+  const auto tilted =
+      Space::product<double>(point(z_axis, longitude), point(y_axis, {-latitude.sine, latitude.cosine}));
   return Space::pose(Space::product<double>(tilted, point(x_axis, roll)));
 }
 
@@ -61,14 +66,14 @@ Pose pose_from_globe_degrees(double longitude, double latitude, double roll) {
   return globe(half_of_degrees(longitude), half_of_degrees(latitude), half_of_degrees(roll));
 }
 
-// q q^T is linear in Q (I. Bar-Itzhack, "New Method for Extracting the Quaternion from a Rotation Matrix", 2000); its
-// longest column is q up to scale, free of cancellation.
+// q q^T is linear in Q (I. Bar-Itzhack, "New Method for Extracting the Quaternion from a Rotation Matrix",
+// 2000); its longest column is q up to scale, free of cancellation.
 Pose pose_from_matrix(const std::array<std::array<double, 3>, 3>& m) {
   const double t = m[0][0] + m[1][1] + m[2][2];
   Eigen::Matrix4d outer;
-  outer << 1 + t, m[2][1] - m[1][2], m[0][2] - m[2][0], m[1][0] - m[0][1],                         //
-      m[2][1] - m[1][2], 1 + 2 * m[0][0] - t, m[0][1] + m[1][0], m[0][2] + m[2][0],                //
-      m[0][2] - m[2][0], m[0][1] + m[1][0], 1 + 2 * m[1][1] - t, m[1][2] + m[2][1],                //
+  outer << 1 + t, m[2][1] - m[1][2], m[0][2] - m[2][0], m[1][0] - m[0][1],           //
+      m[2][1] - m[1][2], 1 + 2 * m[0][0] - t, m[0][1] + m[1][0], m[0][2] + m[2][0],  //
+      m[0][2] - m[2][0], m[0][1] + m[1][0], 1 + 2 * m[1][1] - t, m[1][2] + m[2][1],  //
       m[1][0] - m[0][1], m[0][2] + m[2][0], m[1][2] + m[2][1], 1 + 2 * m[2][2] - t;
   int longest = 0;
   outer.diagonal().maxCoeff(&longest);

@@ -1,12 +1,13 @@
-// A spherical pose: the moving frame E turned against the fixed frame S about their common origin, p_S = Q p_E.
+// A spherical pose: the moving frame E turned against the fixed frame S about their common origin.
+// p_S = Q p_E.
 #pragma once
 
 #include <array>
 
 namespace burmester::spherical {
 
-/// The exact data of a pose: the four doubles of a quaternion. Its norm need not be 1; solvers, certificates and
-/// oracles all read these doubles as exact numbers. (w, x, y, z) and (-w, -x, -y, -z) are the same pose.
+/// The exact data of a pose: the four doubles of a quaternion. Its norm need not be 1; solvers, certificates
+/// and oracles all read these doubles as exact numbers. (w, x, y, z) and (-w, -x, -y, -z) are the same pose.
 struct Pose {
   double w = 1, x = 0, y = 0, z = 0;  ///< not all zero
 };
@@ -20,7 +21,8 @@ Pose pose_from_axis_degrees(const std::array<double, 3>& axis, double angle);
 Pose pose_from_globe_radians(double longitude, double latitude, double roll);
 Pose pose_from_globe_degrees(double longitude, double latitude, double roll);
 
-/// Q given by rows; the nearest rotation if it is orthogonal but for rounding. Precondition: determinant positive.
+/// Q given by rows; a rotation near it if it is orthogonal but for rounding.
+/// Precondition: the determinant is positive.
 Pose pose_from_matrix(const std::array<std::array<double, 3>, 3>& rows);
 
 /// Unit axis and angle in [0, pi] radians. The axis of the identity is (0, 0, 1).

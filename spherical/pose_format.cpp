@@ -32,11 +32,13 @@ PoseData read_axis(const InputNode& node, const InputNode& angle, bool degrees) 
   const std::vector<double> a = node.numbers(3);
   if (a[0] == 0 && a[1] == 0 && a[2] == 0) node.fail("an axis that is not zero");
   const std::array<double, 3> axis{a[0], a[1], a[2]};
-  return data_of(degrees ? pose_from_axis_degrees(axis, angle.number()) : pose_from_axis_radians(axis, angle.number()));
+  return data_of(degrees ? pose_from_axis_degrees(axis, angle.number())
+                         : pose_from_axis_radians(axis, angle.number()));
 }
 
 PoseData read_globe(const InputNode& node, bool degrees) {
-  const double l = node.at("longitude").number(), b = node.at("latitude").number(), r = node.at("roll").number();
+  const double l = node.at("longitude").number(), b = node.at("latitude").number(),
+               r = node.at("roll").number();
   return data_of(degrees ? pose_from_globe_degrees(l, b, r) : pose_from_globe_radians(l, b, r));
 }
 
@@ -61,8 +63,9 @@ PoseData read_pose(const InputNode& node, const Units& units) {
   const bool axis = node.has("axis"), quaternion = node.has("quaternion_wxyz"), matrix = node.has("matrix");
   const bool globe = node.has("longitude") || node.has("latitude") || node.has("roll");
   if (axis + quaternion + matrix + globe != 1)
-    node.fail("a pose: one of {\"axis\", \"angle\"}, {\"quaternion_wxyz\"}, {\"matrix\"} or "
-              "{\"longitude\", \"latitude\", \"roll\"}");
+    node.fail(
+        "a pose: one of {\"axis\", \"angle\"}, {\"quaternion_wxyz\"}, {\"matrix\"} or "
+        "{\"longitude\", \"latitude\", \"roll\"}");
   if (quaternion) {
     node.expect_keys({"quaternion_wxyz"});
     return read_quaternion(node.at("quaternion_wxyz"));

@@ -1,4 +1,5 @@
-// Spherical poses in files, mixed as one likes: {"axis": [x, y, z], "angle"}, {"quaternion_wxyz": [w, x, y, z]},
+// Spherical poses in files, mixed as one likes:
+// {"axis": [x, y, z], "angle"}, {"quaternion_wxyz": [w, x, y, z]},
 // {"matrix": [[..], [..], [..]]} by rows, {"longitude", "latitude", "roll"}; CSV columns qw, qx, qy, qz.
 #pragma once
 

@@ -1,7 +1,7 @@
 // The pose space of the sphere: SO(3) as the whole of P^3, unit quaternions up to scale and sign.
 //
-// Image point (w, x, y, z) = (cos(angle/2), sin(angle/2) axis); features are axes through the centre, given by
-// vectors; their distance is the angle between them.
+// Image point (w, x, y, z) = (cos(angle/2), sin(angle/2) axis); features are axes through the centre, given
+// by vectors; their distance is the angle between them.
 #pragma once
 
 #include <cmath>

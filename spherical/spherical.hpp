@@ -1,4 +1,5 @@
-// The spherical module: rigid bodies that turn about a fixed centre, guided by RR dyads and sliders. Where to start:
+// The spherical module: rigid bodies that turn about a fixed centre, guided by RR dyads and sliders.
+// Where to start:
 //   pose.hpp, space.hpp      poses, and the image space P^3 (quaternions)
 //   dyads.hpp, family.hpp    the dyad types, and the one linear family they all live in
 //   pose_format.hpp          the poses that files may hold

@@ -51,9 +51,15 @@ void OutputFolder::write(const std::string& name, std::string_view text) const {
   refuse(target, "a file to write to", error.message());
 }
 
-void OutputFolder::remove(const std::string& name) const {
+void OutputFolder::remove_others(const std::set<std::string>& kept, std::string_view mark) const {
   std::error_code ignored;
-  std::filesystem::remove(folder_ / name, ignored);
+  for (const auto& entry : std::filesystem::directory_iterator(folder_, ignored)) {
+    if (!entry.is_regular_file(ignored) || kept.contains(entry.path().filename().string())) continue;
+    std::string start(mark.size(), ' ');
+    std::ifstream(entry.path(), std::ios::binary)
+        .read(start.data(), static_cast<std::streamsize>(start.size()));
+    if (start == mark) std::filesystem::remove(entry.path(), ignored);
+  }
 }
 
 std::string OutputFolder::path(const std::string& name) const { return (folder_ / name).string(); }

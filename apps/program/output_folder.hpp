@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -14,7 +15,8 @@ class OutputFolder {
 
   /// Throws InputError where the file cannot be made, OutputError where writing fails.
   void write(const std::string& name, std::string_view text) const;
-  void remove(const std::string& name) const;
+  /// Removes files that begin with `mark` but those named in `kept`: figures of an earlier run.
+  void remove_others(const std::set<std::string>& kept, std::string_view mark) const;
   std::string path(const std::string& name) const;
 
  private:

@@ -2,9 +2,11 @@
 #include <CLI/App.hpp>
 #include <nlohmann/json.hpp>
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <ostream>
+#include <set>
 
 #include "burmester/modules/framework/input.hpp"
 #include "burmester/modules/framework/json_text.hpp"
@@ -15,6 +17,7 @@
 #include "program/table.hpp"
 #include "report/figure.hpp"
 #include "report/report.hpp"
+#include "report/svg.hpp"
 
 namespace burmester {
 namespace {
@@ -45,11 +48,17 @@ std::vector<std::string> types_of(const std::string& text, const Module& module)
 }
 
 void write_figures(const OutputFolder& folder, const Problem& problem, const Drawing& drawing) {
-  if (!drawing.poses.empty())
-    folder.write("poses.svg", poses_figure(drawing, problem.name, problem.units.length));
+  std::map<std::string, std::string> figures;
+  const std::string& unit = problem.units.length;
+  if (!drawing.poses.empty()) figures["poses.svg"] = poses_figure(drawing, problem.name, unit);
   for (const LinkageDrawing& linkage : drawing.linkages)
-    folder.write(fmt::format("linkage_{}.svg", linkage.id),
-                 linkage_figure(linkage, drawing, problem.name, problem.units.length));
+    figures[fmt::format("linkage_{}.svg", linkage.id)] = linkage_figure(linkage, drawing, problem.name, unit);
+  std::set<std::string> names;
+  for (const auto& [name, text] : figures) {
+    folder.write(name, text);
+    names.insert(name);
+  }
+  folder.remove_others(names, figure_mark);
 }
 
 void write_folder(const OutputFolder& folder, const Module& module, const Problem& problem,
@@ -67,6 +76,7 @@ int synthesize(const Request& request, Program& program) {
       read_problem(read_text(request.problem, console), program.registry, {.file = name, .geometry = {}});
   const Module& module = *program.registry.find(problem.geometry);
   if (!request.types.empty()) problem.types = types_of(request.types, module);
+  problem.certify = !request.no_certify;
   std::optional<OutputFolder> folder;
   if (!request.folder.empty()) folder.emplace(request.folder);
 
@@ -97,7 +107,7 @@ void add_synthesize(CLI::App& app, Program& program) {
       ->add_option("--types", request->types, "List only dyads of these types, e.g. RR,PR (RR, PR, RP, PP)")
       ->type_name("TYPES");
   command->add_flag("--no-certify", request->no_certify,
-                    "Leave the certificates out (this version makes none)");
+                    "Leave the certificates out");
   add_plugin_option(*command);
   command->footer(
       "Exit code 0 also where no real dyad exists.\n"

@@ -59,14 +59,19 @@ std::vector<std::string> lines_of(const std::vector<Column>& columns, const std:
   return lines;
 }
 
-/// The table with as many digits as fit.
-std::string table(const std::vector<Column>& columns, const std::function<std::vector<Row>(int)>& rows) {
+bool fits(const std::vector<std::string>& lines) {
+  return std::all_of(lines.begin(), lines.end(),
+                     [](const std::string& line) { return line.size() <= width; });
+}
+
+/// The table with as many digits as fit, 3 at least; after that the last columns have to go.
+std::string table(std::vector<Column> columns, const std::function<std::vector<Row>(int)>& rows) {
   std::vector<std::string> lines;
   for (int digits = 6; digits >= 3; --digits) {
     lines = lines_of(columns, rows(digits));
-    if (std::all_of(lines.begin(), lines.end(), [](const std::string& line) { return line.size() <= width; }))
-      break;
+    if (fits(lines)) break;
   }
+  for (; !fits(lines) && columns.size() > 5; lines = lines_of(columns, rows(3))) columns.pop_back();
   return fmt::format("{}\n", fmt::join(lines, "\n"));
 }
 

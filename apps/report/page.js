@@ -380,7 +380,9 @@ function setUp() {
   });
   new ResizeObserver(drawTicks).observe($("ticks"));
   view1.resize(); view2.resize();
-  const open = linkages.filter(l => drawn.has(l.id)), first = open.find(l => l.usable) || open.find(l => drawn.get(l.id).motions.length === 1) || open[0];
+  const open = linkages.filter(l => drawn.has(l.id)), best = [open.filter(l => l.usable), open.filter(l => drawn.get(l.id).motions.length === 1), open].find(some => some.length) || [];
+  const extent = l => { const w = drawn.get(l.id).window; return w ? Math.max(w[2] - w[0], w[3] - w[1]) : 0; };
+  const first = best.reduce((a, b) => !a || extent(b) < extent(a) ? b : a, null);  // the most compact one shows best
   if (first) select(first.id);
   window.burmesterReport = {
     ready: true, select,

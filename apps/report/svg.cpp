@@ -183,7 +183,7 @@ void Svg::guide(const Point2& a, const Point2& b, bool hatched, std::string_view
 
 std::string Svg::finish() const {
   return fmt::format(
-      R"(<svg xmlns="http://www.w3.org/2000/svg" width="{0}" height="{1}" viewBox="0 {2} {0} {1}"
+      R"({6}<svg xmlns="http://www.w3.org/2000/svg" width="{0}" height="{1}" viewBox="0 {2} {0} {1}"
  font-family="Helvetica, Arial, sans-serif" font-size="13">
 <title>{3}</title>
 <style>.halo{{paint-order:stroke;stroke:#fff;stroke-width:3px;stroke-linejoin:round}}</style>
@@ -191,7 +191,8 @@ std::string Svg::finish() const {
 <text x="14" y="-16" font-size="16" fill="{4}">{3}</text>
 {5}</svg>
 )",
-      number(width_), number(height_ + head), number(-head), escaped(printable(title_, 90)), ink, body_);
+      number(width_), number(height_ + head), number(-head), escaped(printable(title_, 90)), ink, body_,
+      figure_mark);
 }
 
 }  // namespace burmester

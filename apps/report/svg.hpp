@@ -11,6 +11,9 @@ namespace burmester {
 
 using Point2 = std::array<double, 2>;
 
+/// The first line of every figure.
+inline constexpr std::string_view figure_mark = "<!-- A figure by burmester -->\n";
+
 /// Okabe and Ito's colours, grey and ink; poses take them in turn.
 std::string_view pose_colour(std::size_t pose);
 inline constexpr std::string_view ink = "#1d2126", soft_ink = "#5a626c", bar_fill = "#e9edf1";

@@ -1,11 +1,15 @@
 // P/R dyads by name, in any geometry that has them.
 //
-// A dyad carries the coupler by two joints, named from the fixed to the moving body: RR a crank or rocker, PR a
-// slider on the ground that turns on the coupler, RP a slide through a block that turns on the ground, PP two slides.
-// Exchanging the two bodies reads the name backwards (on the sphere a slider is its own inverse: see its module).
-// Two dyads with a common coupler close a linkage, named round its loop from the ground: the first dyad as written,
-// the second backwards, RR before PR before RP before PP.
-// The lifted form of each type stands with its geometry: <burmester/planar/dyads.hpp>, <burmester/spherical/dyads.hpp>.
+// A dyad carries the coupler by two joints, named from the fixed to the moving body: RR a crank or rocker, PR
+// a slider on the ground that turns on the coupler, RP a slide through a block that turns on the ground, PP
+// two slides. Exchanging the two bodies reads the name backwards (on the sphere a slider is its own inverse:
+// see its module).
+//
+// Two dyads with a common coupler close a linkage, named round its loop from the ground: the first dyad as
+// written, the second backwards, RR before PR before RP before PP.
+//
+// What each type is as a constraint stands with its geometry: <burmester/planar/dyads.hpp>,
+// <burmester/spherical/dyads.hpp>.
 #pragma once
 
 #include <array>
@@ -32,7 +36,8 @@ std::string inverse_type(std::string_view type);
 /// Whether two dyads of these types close a linkage. Two PP do not: their coupler translates freely.
 bool pairs(std::string_view first, std::string_view second);
 
-/// RRRR, RRRP, RRPR, RRPP, PRRP, PRPR, PRPP, RPPR, RPPP, whichever dyad is named first. Precondition: pairs(..).
+/// RRRR, RRRP, RRPR, RRPP, PRRP, PRPR, PRPP, RPPR or RPPP, whichever dyad is named first.
+/// Precondition: pairs(first, second).
 std::string linkage_type(std::string_view first, std::string_view second);
 
 }  // namespace burmester

@@ -1,11 +1,12 @@
 // The condition of a design: how far small errors of the poses move it.
 //
-// The residuals r_j(u, x_j) vanish (or their squares' sum is least) at u = 0. To first order a change of pose j by
-// local coordinates v_j (lengths and radians, at its own origin) changes r_j by c_j |v_j| at most, c_j = |dr_j / dv_j|,
-// and the design by u = -J^+ dr, J = dr / du. So the largest |u| for pose errors with |v| = 1 in all is
+// The residuals r_j(u, x_j) vanish (or their squares' sum is least) at u = 0. To first order a change of pose
+// j by local coordinates v_j (lengths and radians, at its own origin) changes r_j by c_j |v_j| at most, with
+// c_j = |dr_j / dv_j|, and the design by u = -J^+ dr, J = dr / du. So the largest |u| for pose errors with
+// |v| = 1 in all is
 //   condition = || J^+ diag(c_1, .., c_n) ||_2.
-// |u| and |v| mix lengths and radians as they come, so the number depends on the unit of length. Not certified.
-// For more poses than parameters this leaves out the part that grows with the residuals themselves.
+// |u| and |v| mix lengths and radians as they come, so the number depends on the unit of length. It is not
+// certified, and for more poses than parameters it leaves out the part that grows with the residuals.
 #pragma once
 
 #include <Eigen/SVD>
@@ -15,8 +16,8 @@
 
 namespace burmester {
 
-/// Change of the design's local coordinates per change of the poses; infinite where the poses do not determine it.
-/// Precondition: at least D::parameters poses.
+/// Change of the design's local coordinates per change of the poses; infinite where the poses do not
+/// determine it. Precondition: at least D::parameters poses.
 template <DyadType D>
 double condition(const typename D::Design& design, std::span<const typename D::Space::Pose> poses) {
   const double step = step_for<typename D::Space>(poses);

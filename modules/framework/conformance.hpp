@@ -1,7 +1,8 @@
 // Every law of pose spaces and dyad types as GoogleTests; one line per space, one per list of dyads:
 //   BURMESTER_SPACE_CONFORMANCE(mine::Space);
-//   BURMESTER_DYAD_CONFORMANCE(mine::Dyads);   // a DyadList; the lifted laws run for types that have a lifted form
-// Tests are called <space>_space.<law> and <space>_<dyad>.<law>. Without GoogleTest: space_laws.hpp, dyad_laws.hpp.
+//   BURMESTER_DYAD_CONFORMANCE(mine::Dyads);   // a DyadList; lifted laws for types with a lifted form
+// Tests are called <space>_space.<law> and <space>_<dyad>.<law>.
+// The laws themselves, without GoogleTest: space_laws.hpp, dyad_laws.hpp.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -42,7 +43,8 @@ bool register_space(const char* file, int line) {
 template <class List>
 bool register_dyads(const char* file, int line) {
   List::for_each([&]<DyadType D>() {
-    register_tests(dyad_laws<D>(), std::string(D::Space::name) + "_" + std::string(D::name), subject_of<D>(), file, line);
+    register_tests(dyad_laws<D>(), std::string(D::Space::name) + "_" + std::string(D::name), subject_of<D>(),
+                   file, line);
   });
   return true;
 }
@@ -51,9 +53,9 @@ bool register_dyads(const char* file, int line) {
 
 #define BURMESTER_CONFORMANCE_JOIN_(a, b) a##b
 #define BURMESTER_CONFORMANCE_NAME_(line) BURMESTER_CONFORMANCE_JOIN_(burmester_conformance_, line)
-#define BURMESTER_SPACE_CONFORMANCE(...)                                   \
+#define BURMESTER_SPACE_CONFORMANCE(...)                                     \
   [[maybe_unused]] static const bool BURMESTER_CONFORMANCE_NAME_(__LINE__) = \
       ::burmester::laws::register_space<__VA_ARGS__>(__FILE__, __LINE__)
-#define BURMESTER_DYAD_CONFORMANCE(...)                                    \
+#define BURMESTER_DYAD_CONFORMANCE(...)                                      \
   [[maybe_unused]] static const bool BURMESTER_CONFORMANCE_NAME_(__LINE__) = \
       ::burmester::laws::register_dyads<__VA_ARGS__>(__FILE__, __LINE__)

@@ -1,5 +1,5 @@
-// The laws of modules/framework/dyad_type.hpp, by number. Designs are compared by what they say about poses, so that
-// no law needs to know a design's coordinates or what freedom they have.
+// The laws of modules/framework/dyad_type.hpp, by number. Designs are compared by what they say about poses,
+// so that no law needs to know a design's coordinates or what freedom they have.
 #pragma once
 
 #include <Eigen/SVD>
@@ -47,7 +47,8 @@ std::vector<typename S::Pose> random_poses(Random& random, int count) {
 
 /// Some pose near which the design's residual is `target`; empty after ten tries.
 template <DyadType D>
-std::optional<typename D::Space::Pose> find_pose(const typename D::Design& d, Random& random, double target = 0) {
+std::optional<typename D::Space::Pose> find_pose(const typename D::Design& d, Random& random,
+                                                 double target = 0) {
   for (int i = 0; i < 10; ++i)
     if (const auto pose = pose_with_residual<D>(d, D::Space::random_pose(random), target)) return pose;
   return std::nullopt;
@@ -60,12 +61,14 @@ void residual_is_covariant(Findings& f) {  // 1
   for (int i = 0; i < trials; ++i) {
     const typename D::Design d = D::random_design(f.random);
     const Element<S> x = pool.draw(), g = pool.draw(), h = pool.draw();
-    const auto inputs = [&] { return text_of<D>(d) + "\n  " + x.text("x") + "\n  " + g.text("g") + "\n  " + h.text("h"); };
+    const auto inputs = [&] {
+      return text_of<D>(d) + "\n  " + x.text("x") + "\n  " + g.text("g") + "\n  " + h.text("h");
+    };
     const typename D::Design moved = D::moved(d, g.x, h.x);
     const double spread = x.size() * g.size() * h.size();
-    f.expect_near(std::abs(D::residual(moved, S::pose(reframed<S>(g.x, x.x, h.x)))), std::abs(D::residual(d, x.pose())),
-                  rounding<S> * size_of<D>(d) * spread * spread, "|residual(moved(d, g, h), g x h^-1)| = |residual(d, x)|",
-                  inputs);
+    f.expect_near(std::abs(D::residual(moved, S::pose(reframed<S>(g.x, x.x, h.x)))),
+                  std::abs(D::residual(d, x.pose())), rounding<S> * size_of<D>(d) * spread * spread,
+                  "|residual(moved(d, g, h), g x h^-1)| = |residual(d, x)|", inputs);
   }
 }
 
@@ -79,11 +82,13 @@ void inverse_exchanges_the_bodies(Findings& f) {  // 2
     const typename D::Design d = D::random_design(f.random);
     const typename I::Design inverse = D::inverse(d);
     const Element<S> x = pool.draw();
-    const auto inputs = [&] { return text_of<D>(d) + "\n  inverse " + text_of<I>(inverse) + "\n  " + x.text(); };
+    const auto inputs = [&] {
+      return text_of<D>(d) + "\n  inverse " + text_of<I>(inverse) + "\n  " + x.text();
+    };
     const double tolerance = rounding<S> * size_of<D>(d) * x.size() * x.size();
     const double residual = std::abs(D::residual(d, x.pose()));
-    f.expect_near(std::abs(I::residual(inverse, S::pose(S::template conjugate<double>(x.x)))), residual, tolerance,
-                  "|residual(inverse(d), x^-1)| = |residual(d, x)|", inputs);
+    f.expect_near(std::abs(I::residual(inverse, S::pose(S::template conjugate<double>(x.x)))), residual,
+                  tolerance, "|residual(inverse(d), x^-1)| = |residual(d, x)|", inputs);
     f.expect_near(std::abs(D::residual(I::inverse(inverse), x.pose())), residual, tolerance,
                   "inverse(inverse(d)) is d", inputs);
   }
@@ -96,7 +101,8 @@ void design_constrains_poses(Findings& f) {  // 3
   for (int i = 0; i < trials; ++i) {
     const typename D::Design d = D::random_design(f.random);
     effective += std::abs(D::residual(d, S::random_pose(f.random))) > 1e-4;
-    f.expect(find_pose<D>(d, f.random).has_value(), "some pose satisfies the design", [&] { return text_of<D>(d); });
+    f.expect(find_pose<D>(d, f.random).has_value(), "some pose satisfies the design",
+             [&] { return text_of<D>(d); });
   }
   f.expect(effective > trials * 9 / 10, "a random design is not satisfied by a random pose",
            [&] { return std::to_string(trials - effective) + " of " + std::to_string(trials) + " are"; });
@@ -112,10 +118,12 @@ void parameters_are_independent(Findings& f) {  // 3, counting
     const auto stretch = Eigen::JacobiSVD<Eigen::MatrixXd>(design_jacobian<D>(d, probes)).singularValues();
     independent += stretch[D::parameters - 1] > 1e-4 * stretch[0];
     f.expect_near(disagreement<D>(D::nudged(d, Vector<double, D::parameters>::Zero()), d, probes), 0.0,
-                  rounding<typename D::Space> * size_of<D>(d) * 100, "nudged(d, 0) is d", [&] { return text_of<D>(d); });
+                  rounding<typename D::Space> * size_of<D>(d) * 100, "nudged(d, 0) is d",
+                  [&] { return text_of<D>(d); });
   }
-  f.expect(independent > trials * 9 / 10, "local coordinates are independent",
-           [&] { return "only so for " + std::to_string(independent) + " of " + std::to_string(trials) + " designs"; });
+  f.expect(independent > trials * 9 / 10, "local coordinates are independent", [&] {
+    return "only so for " + std::to_string(independent) + " of " + std::to_string(trials) + " designs";
+  });
 }
 
 template <DyadType D>
@@ -125,7 +133,8 @@ void record_shows_the_design(Findings& f) {
     const DyadRecord record = D::record(d);
     const std::vector<double> numbers = numbers_of(record);
     f.expect(record.type == D::name, "record(d).type is the type's name", [&] { return record.type; });
-    f.expect(!numbers.empty() && std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); }),
+    f.expect(!numbers.empty() &&
+                 std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); }),
              "record(d) shows finite numbers", [&] { return text_of<D>(d); });
   }
 }
@@ -138,14 +147,16 @@ double form(const Vector<double, D::Family::dimension>& k, const typename D::Spa
   return D::Family::template row<double>(x).dot(k) / S::template norm<double>(S::template point<double>(x));
 }
 
-/// How much row(x) . k / norm(x) may change when the residual changes by `change`: both are bounded by the sizes of
-/// row and k, and the form is at most quadratic in lengths.
+/// How much row(x) . k / norm(x) may change when the residual changes by `change`: both are bounded by the
+/// sizes of row and k, and the form is at most quadratic in lengths.
 template <LiftedDyadType D>
-double form_tolerance(const Vector<double, D::Family::dimension>& k, const typename D::Space::Pose& x, double change) {
+double form_tolerance(const Vector<double, D::Family::dimension>& k, const typename D::Space::Pose& x,
+                      double change) {
   using S = typename D::Space;
   const PointOf<S> p = S::template point<double>(x);
   const double row = D::Family::template row<double>(x).norm() / S::template norm<double>(p);
-  return 16 * (change + rounding<S>) * row * k.norm();
+  const double slack = change + rounding<S>;
+  return 16 * slack * row * k.norm();
 }
 
 template <LiftedDyadType D>
@@ -159,17 +170,19 @@ void form_is_a_function_of_the_residual(Findings& f) {  // 4
     const double residual = D::residual(d, x.pose()), value = form<D>(k, x.pose());
     const auto inputs = [&] { return text_of<D>(d) + "\n  " + x.text(); };
     if (std::abs(residual) > 0.1)
-      f.expect(std::abs(value) > form_tolerance<D>(k, x.pose(), 1e-9), "row . k != 0 where the residual is not 0", inputs);
+      f.expect(std::abs(value) > form_tolerance<D>(k, x.pose(), 1e-9),
+               "row . k != 0 where the residual is not 0", inputs);
     if (const auto met = find_pose<D>(d, f.random))
       f.expect_near(form<D>(k, *met), 0.0, form_tolerance<D>(k, *met, std::abs(D::residual(d, *met))),
-                    "row . k = 0 where the residual is 0",
-                    [&] { return text_of<D>(d) + "\n  x = " + Findings::show(S::template point<double>(*met)); });
+                    "row . k = 0 where the residual is 0", [&] {
+                      return text_of<D>(d) + "\n  x = " + Findings::show(S::template point<double>(*met));
+                    });
     if (const auto equal = find_pose<D>(d, f.random, residual)) {
       const double change = std::abs(D::residual(d, *equal) - residual);
-      f.expect_near(form<D>(k, *equal), value, form_tolerance<D>(k, *equal, change) + form_tolerance<D>(k, x.pose(), 0),
-                    "equal residuals, equal row . k / norm", [&] {
-                      return inputs() + "\n  y = " + Findings::show(S::template point<double>(*equal));
-                    });
+      f.expect_near(
+          form<D>(k, *equal), value, form_tolerance<D>(k, *equal, change) + form_tolerance<D>(k, x.pose(), 0),
+          "equal residuals, equal row . k / norm",
+          [&] { return inputs() + "\n  y = " + Findings::show(S::template point<double>(*equal)); });
     }
   }
 }
@@ -192,7 +205,8 @@ void encoded_designs_keep_the_relations(Findings& f) {  // 5
   f.expect(kept_by_chance < trials / 10, "a random k does not keep the relations", [] { return ""; });
 }
 
-/// Where two values of a coordinate come together (length 0, arc 0) k knows it only to the square root of rounding.
+/// Near length 0 or arc 0, where two designs of one k come together, k knows them only to the square root of
+/// rounding.
 template <LiftedDyadType D>
 void decode_undoes_encode(Findings& f) {  // 5
   using Family = typename D::Family;
@@ -201,25 +215,30 @@ void decode_undoes_encode(Findings& f) {  // 5
     const Vector<double, Family::dimension> k = D::encode(d);
     const auto probes = random_poses<typename D::Space>(f.random, 2 * D::parameters);
     for (const double factor : {1.0, -1.0, 2.0, 1e-3}) {
-      const auto inputs = [&] { return text_of<D>(d) + "\n  k = " + Findings::show(k) + " times " + Findings::show(factor); };
+      const auto inputs = [&] {
+        return text_of<D>(d) + "\n  k = " + Findings::show(k) + " times " + Findings::show(factor);
+      };
       const auto decoded = Family::decode(factor * k);
       const auto* again = decoded ? std::get_if<typename D::Design>(&*decoded) : nullptr;
       f.expect(again != nullptr, "decode(encode(d)) is of d's type", inputs);
       if (again)
-        f.expect_near(disagreement<D>(*again, d, probes), 0.0, std::sqrt(rounding<typename D::Space>) * size_of<D>(d),
-                      "decode(encode(d)) is d", inputs);
+        f.expect_near(disagreement<D>(*again, d, probes), 0.0,
+                      std::sqrt(rounding<typename D::Space>) * size_of<D>(d), "decode(encode(d)) is d",
+                      inputs);
     }
   }
-  f.expect(!Family::decode(Vector<double, Family::dimension>::Zero()), "decode(0) is empty", [] { return ""; });
+  f.expect(!Family::decode(Vector<double, Family::dimension>::Zero()), "decode(0) is empty",
+           [] { return ""; });
 }
 
 /// `dimension` is the number of independent conditions, so that n poses in general position give rank n.
 template <LiftedDyadType D>
-void rows_span_the_family(Findings& f) {
+void rows_span_the_family(Findings& f) {  // 6
   using Family = typename D::Family;
   constexpr int n = Family::dimension;
   Eigen::Matrix<double, 4 * n, n> rows;
-  for (int i = 0; i < 4 * n; ++i) rows.row(i) = Family::template row<double>(D::Space::random_pose(f.random)).normalized();
+  for (int i = 0; i < 4 * n; ++i)
+    rows.row(i) = Family::template row<double>(D::Space::random_pose(f.random)).normalized();
   const auto stretch = Eigen::JacobiSVD<Eigen::MatrixXd>(rows).singularValues();
   f.expect(stretch[n - 1] > 1e-4 * stretch[0], "rows of random poses span R^dimension",
            [&] { return "singular values " + Findings::show(stretch); });

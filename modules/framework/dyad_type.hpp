@@ -4,10 +4,12 @@
 //   1. Covariance: |residual(moved(d, g, h), g x h^-1)| = |residual(d, x)|.
 //   2. Inverse: |residual(inverse(d), x^-1)| = |residual(d, x)|, fixed and moving exchanged; inverse twice is the
 //      design again (RR <-> RR, PR <-> RP, PP <-> PP).
-//   3. Effectiveness: a random design is not satisfied by a random pose; some poses satisfy it.
+//   3. Effectiveness: a random design is not satisfied by a random pose; some poses satisfy it; the `parameters`
+//      local coordinates are independent.
 // and for a type with a lifted form k in the family's R^dimension:
 //   4. row(x) . encode(d) = 0 exactly where residual(d, x) = 0: it is norm(x) times a function of the residual.
 //   5. relations(encode(d)) = 0, and decode(encode(d)) is d up to the freedom of its coordinates.
+//   6. Rows of random poses span R^dimension.
 // So n poses are n linear equations on k, and the dyads are where their solution space meets the relations.
 #pragma once
 

@@ -1,5 +1,5 @@
-// Laws as functions: each is checked on hundreds of random and special elements and returns its violations as text.
-// modules/framework/conformance.hpp runs them as GoogleTests; any other test framework can do the same.
+// Laws as functions: each is checked on hundreds of random and special elements and returns its violations as
+// text. modules/framework/conformance.hpp runs them as GoogleTests; any other test framework can do the same.
 #pragma once
 
 #include <cmath>
@@ -35,8 +35,8 @@ class Findings {
     const double off = size_of(actual - expected);
     if (off <= tolerance) return;  // not so for NaN
     std::ostringstream text = wide();
-    text << inputs() << "\n  expected " << show(expected) << "\n  actual   " << show(actual) << "\n  off by " << off
-         << ", allowed " << tolerance;
+    text << inputs() << "\n  expected " << show(expected) << "\n  actual   " << show(actual) << "\n  off by "
+         << off << ", allowed " << tolerance;
     add(law, text.str());
   }
   Violations result() const {
@@ -99,13 +99,13 @@ inline Violations violations(const std::vector<Law>& all, std::string_view subje
 
 inline constexpr int trials = 300;
 
-/// Rounding of the space's polynomials, relative to the product of the sizes of their arguments. A coordinate is a sum
-/// of at most m = (ambient + 1)^2 terms of at most four factors, each with a coefficient of at most 4: it is off by
-/// (m + 4) u times the sum of their sizes (N. Higham, "Accuracy and Stability of Numerical Algorithms", 3.1), and that
-/// sum is at most 4 m times the product.
+/// Rounding of the space's polynomials, relative to the product of the sizes of their arguments. A coordinate
+/// is a sum of at most m = (ambient + 1)^2 terms of at most four factors, each with a coefficient of at most
+/// 4: it is off by (m + 4) u times the sum of their sizes (N. Higham, "Accuracy and Stability of Numerical
+/// Algorithms", 3.1), and that sum is at most 4 m times the product.
 template <PoseSpace S>
-inline constexpr double rounding = 4 * (S::ambient + 1) * (S::ambient + 1) * ((S::ambient + 1) * (S::ambient + 1) + 4) *
-                                   unit_roundoff;
+inline constexpr double rounding = 4 * (S::ambient + 1) * (S::ambient + 1) *
+                                   ((S::ambient + 1) * (S::ambient + 1) + 4) * unit_roundoff;
 
 /// A displacement as a point, with words for a person who reads a failure.
 template <PoseSpace S>
@@ -143,15 +143,16 @@ std::vector<Element<S>> special_elements() {
   return out;
 }
 
-/// Elements to try: one half special, one half random, each with a factor, of which nothing may depend but sizes.
+/// Elements to try, one half special, one half random. Each comes with a factor: the same displacement.
 template <PoseSpace S>
 class Pool {
  public:
   explicit Pool(Random& random) : random_(random), special_(special_elements<S>()) {}
 
   Element<S> draw() {
-    Element<S> out = random_.below(2) == 0 ? special_[static_cast<std::size_t>(random_.below(count()))]
-                                           : Element<S>{"random", S::template point<double>(S::random_pose(random_))};
+    Element<S> out = random_.below(2) == 0
+                         ? special_[static_cast<std::size_t>(random_.below(count()))]
+                         : Element<S>{"random", S::template point<double>(S::random_pose(random_))};
     constexpr double factors[] = {1, 1, -1, 2, -0.75};
     const double factor = factors[random_.below(5)];
     if (factor != 1) out.what += " times " + Findings::show(factor);

@@ -1,8 +1,8 @@
 // A dyad type near a design and a pose: what follows from its residual and its local coordinates alone.
 //
 // Derivatives are central differences, (f(h) - f(-h)) / 2h with h = cbrt(epsilon), good to about 1e-10 where
-// coordinates are of size 1: for searches, laws and condition numbers, not for certificates. Where lengths are smaller
-// pass a step that is smaller by as much (step_for).
+// coordinates are of size 1: for searches, laws and condition numbers, not for certificates. Where lengths
+// are smaller pass a step that is smaller by as much (step_for).
 #pragma once
 
 #include <Eigen/Core>
@@ -59,7 +59,7 @@ Eigen::MatrixXd design_jacobian(const typename D::Design& d, std::span<const typ
 /// d residual / d pose, in the space's local coordinates.
 template <DyadType D>
 Vector<double, D::Space::dof> pose_gradient(const typename D::Design& d, const typename D::Space::Pose& pose,
-                                              double step = difference_step) {
+                                            double step = difference_step) {
   using S = typename D::Space;
   Vector<double, S::dof> gradient;
   for (int i = 0; i < S::dof; ++i) {
@@ -69,11 +69,12 @@ Vector<double, D::Space::dof> pose_gradient(const typename D::Design& d, const t
   return gradient;
 }
 
-/// A pose whose residual is `target`, reached from `start` by damped Newton steps along the gradient. Empty where they
-/// get stuck; the residual of the answer is within 1e-11 (1 + |start's residual|) of the target.
+/// A pose whose residual is `target`, reached from `start` by damped Newton steps along the gradient. Empty
+/// where they get stuck; the residual of the answer is within 1e-11 (1 + |start's residual|) of the target.
 template <DyadType D>
 std::optional<typename D::Space::Pose> pose_with_residual(const typename D::Design& d,
-                                                          const typename D::Space::Pose& start, double target = 0) {
+                                                          const typename D::Space::Pose& start,
+                                                          double target = 0) {
   using S = typename D::Space;
   typename S::Pose pose = start;
   double off = D::residual(d, pose) - target;

@@ -25,6 +25,7 @@ struct Problem {
   std::vector<std::vector<double>> fixed, moving;   ///< dyads are asked for with these pivots
   std::vector<std::optional<double>> weights;       ///< more than five poses; no value: the pose is met exactly
   std::vector<std::vector<double>> near;            ///< four poses: places near which a dyad is wanted
+  bool certify = true;                              ///< prove the answer where that is known how
   std::vector<std::string> warnings;                ///< what the reader noticed
 };
 

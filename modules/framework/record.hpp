@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "burmester/modules/framework/certificate.hpp"
+
 namespace burmester {
 
 /// A line of a plane: `angle` is its direction in [0, pi), `point` the foot of the perpendicular from the origin of
@@ -33,6 +35,7 @@ struct DyadRecord {
   std::optional<double> condition;    ///< change of the dyad per change of the poses (docs/concepts.md); none: not counted
   std::optional<double> departure;    ///< slider: how far the circle that was solved for leaves the line
   std::optional<SliderRecord> slider;
+  Certificate certificate;
 };
 
 struct LinkageRecord {

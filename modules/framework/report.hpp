@@ -24,6 +24,7 @@ struct Found {
   std::optional<double> condition;     ///< modules/framework/condition.hpp
   std::optional<double> departure;     ///< of a slider: how far the circle that was solved for leaves the line
   std::optional<SliderRecord> slider;  ///< of an RR: the slider that it nearly is
+  Certificate certificate;
 };
 
 /// List: the module's DyadList.
@@ -77,6 +78,7 @@ std::vector<DyadRecord> records_of(const Report<List>& report) {
     record.condition = found.condition;
     record.departure = found.departure;
     record.slider = found.slider;
+    record.certificate = found.certificate;
     out.push_back(std::move(record));
   }
   return out;

@@ -5,6 +5,7 @@
 #include <map>
 #include <numbers>
 #include <set>
+#include <stdexcept>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -59,7 +60,8 @@ json dyad_of(const DyadRecord& dyad, const Units& units) {
     out["slider"] = {{"type", dyad.slider->type},
                      {"line", line_of(dyad.slider->line, units)},
                      {"departure", dyad.slider->departure}};
-  out["certificate"] = {{"certified", false}};
+  out["certificate"] = {{"certified", dyad.certificate.certified}};
+  if (dyad.certificate.certified) out["certificate"]["radius"] = dyad.certificate.radius;
   return out;
 }
 
@@ -119,6 +121,15 @@ void sort_and_number(Synthesis& answer) {
     for (int& dyad : linkage.dyads) dyad = number.at(dyad);
 }
 
+/// What JSON has no number for must not pass as "unknown".
+void require_finite(const json& value, const std::string& place) {
+  if (value.is_number_float() && !std::isfinite(value.get<double>()))
+    throw std::runtime_error(fmt::format("the answer has a number at {} that is not finite", place));
+  if (value.is_structured())
+    for (const auto& item : value.items())
+      require_finite(item.value(), fmt::format("{}/{}", place, item.key()));
+}
+
 }  // namespace
 
 Synthesis listed(Synthesis answer, const std::vector<std::string>& types) {
@@ -160,6 +171,7 @@ json result_document(const Module& module, const Problem& problem, const Synthes
   out["task_size"] = module.task_size(problem);
   out["poses"] = json::array();
   for (const PoseData& pose : problem.poses) out["poses"].push_back(pose_of(module.show_pose(pose, units)));
+  require_finite(out, "");
   return out;
 }
 

@@ -1,10 +1,10 @@
 // A general solver: any dyad type whose residual can be evaluated, no lifted form needed.
 //
-// Damped Gauss-Newton (K. Levenberg 1944, D. Marquardt 1963) on the residuals in the design's local coordinates, from
-// many random designs. As many poses as D::parameters: designs that meet them; more: local minima of the sum of
-// squares. It is slow and NOT complete: a design that no start leads to is missing, and the count of what was found
-// proves nothing. For checks of direct solvers, and for dyad types that have none. A slider may appear as the
-// very long crank that it is a limit of.
+// Damped Gauss-Newton (K. Levenberg 1944, D. Marquardt 1963) on the residuals in the design's local
+// coordinates, from many random designs. As many poses as D::parameters: designs that meet them; more: local
+// minima of the sum of squares. It is slow and NOT complete: a design that no start leads to is missing, and
+// the count of what was found proves nothing. For checks of direct solvers, and for dyad types that have
+// none. A slider may appear as the very long crank that it is a limit of.
 #pragma once
 
 #include <Eigen/QR>
@@ -75,7 +75,8 @@ typename D::Design random_start(Random& random, std::span<const typename D::Spac
   const typename D::Design d = D::random_design(random);
   Vector<double, D::parameters> spread;
   for (int i = 0; i < D::parameters; ++i) spread[i] = std::max(0.0, size - 1) * random.normal();
-  return D::nudged(D::moved(d, S::template point<double>(near), S::template point<double>(typename S::Pose{})), spread);
+  return D::nudged(
+      D::moved(d, S::template point<double>(near), S::template point<double>(typename S::Pose{})), spread);
 }
 
 /// Poses other than the given ones, on which designs can be told apart.
@@ -110,7 +111,7 @@ std::vector<Found<typename D::Design>> search(std::span<const typename D::Space:
     const bool known = std::any_of(out.begin(), out.end(), [&](const auto& other) {
       return disagreement<D>(other.design, found.design, probes) <= options.same * std::max(1.0, size);
     });
-    if (!known) out.push_back({found.design, residual, {}, {}, {}});
+    if (!known) out.push_back({found.design, residual, {}, {}, {}, {}});
   }
   std::sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.residual < b.residual; });
   return out;

@@ -96,7 +96,9 @@ void displacements_are_isometries(Findings& f) {  // 5
   for (int i = 0; i < trials; ++i) {
     const Element<S> x = pool.draw();
     const FeatureOf<S> a = S::random_feature(f.random), b = S::random_feature(f.random);
-    const auto inputs = [&] { return x.text() + "\n  a = " + Findings::show(a) + ", b = " + Findings::show(b); };
+    const auto inputs = [&] {
+      return x.text() + "\n  a = " + Findings::show(a) + ", b = " + Findings::show(b);
+    };
     const double size = rounding<S> * (1 + a.norm() + b.norm());
     f.expect_near(S::distance(x(a), x(b)), S::distance(a, b), size * x.size() * x.size(),
                   "distance(x(a), x(b)) = distance(a, b)", inputs);
@@ -113,7 +115,8 @@ void gap_tells_points_apart(Findings& f) {  // 6
     const Element<S> x = pool.draw(), y = pool.draw();
     const auto inputs = [&] { return x.text("x") + "\n  " + y.text("y"); };
     for (const double factor : {1.0, -1.0, 2.0, -0.3})
-      f.expect_near(S::gap(x.x, PointOf<S>(factor * x.x)), 0.0, rounding<S>, "gap(x, multiple of x) = 0", inputs);
+      f.expect_near(S::gap(x.x, PointOf<S>(factor * x.x)), 0.0, rounding<S>, "gap(x, multiple of x) = 0",
+                    inputs);
     const double gap = S::gap(x.x, y.x), back = S::gap(y.x, x.x);
     f.expect(gap >= 0 && gap <= 1 + rounding<S>, "0 <= gap <= 1", inputs);
     f.expect_near(back, gap, rounding<S>, "gap is symmetric", inputs);
@@ -135,10 +138,12 @@ void poses_are_points(Findings& f) {  // 7
     const Element<S> x = pool.draw();
     const PointOf<S> again = S::template point<double>(x.pose());
     const double tolerance = rounding<S> * x.size() * x.size();
-    f.expect_near(S::gap(again, x.x), 0.0, tolerance, "point(pose(x)) is x up to scale", [&] { return x.text(); });
+    f.expect_near(S::gap(again, x.x), 0.0, tolerance, "point(pose(x)) is x up to scale",
+                  [&] { return x.text(); });
     const FeatureOf<S> a = S::random_feature(f.random);
     const Element<S> same{"point(pose(x))", again};
-    f.expect_near(same(a), x(a), tolerance * (1 + a.norm()), "pose(x) moves features like x", [&] { return x.text(); });
+    f.expect_near(same(a), x(a), tolerance * (1 + a.norm()), "pose(x) moves features like x",
+                  [&] { return x.text(); });
   }
 }
 
@@ -154,8 +159,8 @@ void nudges_are_local_coordinates(Findings& f) {  // 8
       const PointOf<S> y = S::template point<double>(S::nudged(x.pose(), u));
       return times<S>(S::template conjugate<double>(x.x), y);  // the small displacement, seen from x
     };
-    f.expect_near(S::gap(unit<S>(), moved(Local::Zero())), 0.0, rounding<S> * x.size() * x.size(), "nudged(p, 0) is p",
-                  inputs);
+    f.expect_near(S::gap(unit<S>(), moved(Local::Zero())), 0.0, rounding<S> * x.size() * x.size(),
+                  "nudged(p, 0) is p", inputs);
     Matrix<double, S::ambient + 1, S::dof> tangents;
     for (int j = 0; j < S::dof; ++j) {
       PointOf<S> y = moved(h * Local::Unit(j)).normalized();
@@ -163,8 +168,8 @@ void nudges_are_local_coordinates(Findings& f) {  // 8
       tangents.col(j) = (y - unit<S>().normalized()) / h;
     }
     const auto stretch = Eigen::JacobiSVD<Eigen::MatrixXd>(tangents).singularValues();
-    f.expect(stretch[S::dof - 1] > 1e-2 && stretch[0] < 1e2, "local coordinates are independent, lengths and radians",
-             inputs);
+    f.expect(stretch[S::dof - 1] > 1e-2 && stretch[0] < 1e2,
+             "local coordinates are independent, lengths and radians", inputs);
   }
 }
 

@@ -48,15 +48,11 @@ Pose Chart::pose(const Point3<double>& x) const {
 
 Quadric<double> Chart::quadric(const Family::Design& design) const {
   const Vector<double, 4> unit(1, 0, 0, 0), h = Space::point<double>(middle);
-  Quadric<double> out;
-  if (const auto* d = std::get_if<PP::Design>(&design)) {
-    const double angle = PP::moved(*d, unit, h).angle;
-    out = constraint_quadric(Vector<double, 8>{{0, 0, 0, 0, 0, 0, -std::sin(angle), std::cos(angle)}});
-  } else {
-    out = constraint_quadric(Dyads::visit(design, [&]<class D>(const typename D::Design& d) {
-      return Family::Design(D::moved(d, unit, h));
-    }));
-  }
+  const Family::Design moved = Dyads::visit(
+      design, [&]<class D>(const typename D::Design& d) { return Family::Design(D::moved(d, unit, h)); });
+  Quadric<double> out = constraint_quadric(moved);
+  if (const auto* d = std::get_if<PP::Design>(&moved))
+    out = constraint_quadric(Vector<double, 8>{{0, 0, 0, 0, 0, 0, -std::sin(d->angle), std::cos(d->angle)}});
   for (const int i : {1, 4, 7, 8}) out.q[i] /= i == 1 ? weight * weight : weight;
   return out;
 }

@@ -1,9 +1,9 @@
 // The chart in which motions are walked: image points of the stage, for a task of any proportions.
 //
 // The moving frame is turned so that the middle orientation of the task is the identity, and X3 is multiplied by a
-// weight, so that the task's rotations count as much as its translations. Without it the motion of a body that
-// turns by 1e-6 about pivots 1e6 away would be a loop too small to walk. In E and S far pivots enter only through
-// differences. Coordinates: (X4, weight X3, X2, -X1) of unit norm.
+// weight, so that the rotations of a task with far pivots count as much as its translations. (Otherwise the motion
+// of a body that turns by 1e-6 about pivots 1e6 away would be a loop too small to walk.) Coordinates:
+// (X4, weight X3, X2, -X1), of unit norm.
 #pragma once
 
 #include <vector>

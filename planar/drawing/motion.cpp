@@ -48,7 +48,10 @@ struct Track {
 class Sampler {
  public:
   Sampler(const std::vector<Pose>& poses, const Family::Design& a, const Family::Design& b)
-      : chart_(chart_for(poses, a, b)), curve_(chart_.quadric(a), chart_.quadric(b)), watched_(watched_points(a, b)), poses_(poses),
+      : chart_(chart_for(poses, a, b)),
+        curve_(chart_.quadric(a), chart_.quadric(b)),
+        watched_(watched_points(a, b)),
+        poses_(poses),
         reach_(std::min(reach_of(a), reach_of(b))) {
     for (Pose& pose : poses_) points_.push_back(settle(pose));
   }
@@ -77,20 +80,17 @@ class Sampler {
     return *on;
   }
   /// Where a walk passes x: index and fraction of the way to the next point; negative where it does not.
-  double passage(const Walk& path, const Point& x) const {
-    const auto n = static_cast<int>(path.points.size());
-    const int i = static_cast<int>(nearest_point(path, x));
+  static double passage(const Walk& path, const Point& x) {
+    const std::size_t n = path.points.size();
     double best = -1, smallest = 1;
-    for (const int first : {i, i - 1}) {
-      if (!path.closed && (first < 0 || first + 1 >= n)) continue;
-      const int from = (first + n) % n;
-      const Point& p = path.points[from];
-      const Point chord = aligned(path.points[(from + 1) % n], p) - p, offset = aligned(x, p) - p;
+    for (std::size_t i = 0; i + (path.closed ? 0 : 1) < n; ++i) {  // all: the next strand may have the nearest point
+      const Point& p = path.points[i];
+      const Point chord = aligned(path.points[(i + 1) % n], p) - p, offset = aligned(x, p) - p;
       const double f = std::clamp(offset.dot(chord) / chord.squaredNorm(), 0.0, 1.0);
       const double miss = (offset - f * chord).norm() / (0.05 * chord.norm() + visible);
       if (miss > smallest) continue;
       smallest = miss;
-      best = f > 1 - 1e-6 ? (from + 1) % n : from + (f < 1e-6 ? 0 : f);
+      best = static_cast<double>(f > 1 - 1e-6 ? (i + 1) % n : i) + (f < 1e-6 || f > 1 - 1e-6 ? 0 : f);
     }
     return best;
   }

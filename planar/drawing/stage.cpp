@@ -23,7 +23,6 @@ std::vector<double> pivot_distances(const Family::Design& d, const std::vector<P
   return out;
 }
 
-
 double length_of(const Family::Design& design) {
   const auto* d = std::get_if<RR::Design>(&design);
   return d ? d->length : 0;
@@ -56,16 +55,20 @@ Family::Design Stage::design(const Family::Design& design) const {
 
 Stage stage_of(const std::vector<Pose>& poses, const Family::Design& a, const Family::Design& b) {
   const Vector2 centre = centroid(poses);
-  double task = 0, nearest = std::numeric_limits<double>::infinity();
+  double task = 0, own = std::numeric_limits<double>::infinity(), longest = 0;
   for (const Pose& p : poses) task = std::max(task, (origin_of(p) - centre).norm());
-  std::vector<double> pivots = pivot_distances(a, poses, centre);
-  for (const double r : pivot_distances(b, poses, centre)) pivots.push_back(r);
-  for (const double r : pivots) nearest = std::min(nearest, r);
-  const double longest = std::max(length_of(a), length_of(b));
-  const double own_size = longest > 0 ? std::min(nearest, longest) : nearest;
+  std::vector<double> pivots;
+  for (const Family::Design* design : {&a, &b}) {
+    const std::vector<double> distances = pivot_distances(*design, poses, centre);
+    if (distances.empty()) continue;
+    own = std::min(own, *std::max_element(distances.begin(), distances.end()));
+    longest = std::max(longest, length_of(*design));
+    pivots.insert(pivots.end(), distances.begin(), distances.end());
+  }
+  if (longest > 0) own = std::min(own, longest);
   double radius = task;
   for (const double r : pivots)
-    if (r <= too_far * std::max(2 * task, own_size)) radius = std::max(radius, r);
+    if (r <= too_far * std::max(2 * task, own)) radius = std::max(radius, r);
   return {centre, radius > 0 ? radius : 1};
 }
 

@@ -18,8 +18,8 @@ struct Stage {
   Vector2 in_problem(const Vector2& p) const { return centre + unit * p; }
 };
 
-/// A pivot is too far where it is this many times farther than the size of the task and than either the nearest
-/// pivot or the longest link.
+/// A pivot is too far where it is this many times farther than the size of the task and than the linkage's own size:
+/// the longest link, or the distance of the nearer dyad's farther pivot if that is less.
 inline constexpr double too_far = 20;
 
 /// Precondition: at least one pose.

@@ -108,6 +108,21 @@ TEST(QuadricCurve, EndsAtAnyGap) {
   }
 }
 
+/// A loop 1e-3 wide and 1 long: sharp turns are walked round, not taken for crossings.
+TEST(QuadricCurve, WalksRoundHairpins) {
+  for (const double width : {1e-1, 1e-2, 1e-3}) {
+    const Quadric<double> loop{{-0.25, 1, 1 / (width * width), 0}};  // x1^2 + (x2 / width)^2 = 1/4
+    const QuadricCurve curve(sphere(), loop);
+    const Walk w = walk(curve, X0 + std::sqrt(0.75) * X3 + 0.5 * width * X2);
+    ASSERT_TRUE(w.closed) << width;
+    double left = 0, right = 0;
+    for (const Point& x : w.points) left = std::min(left, x[1] / x[0]), right = std::max(right, x[1] / x[0]);
+    EXPECT_NEAR(left, -0.5, 1e-3) << width;
+    EXPECT_NEAR(right, 0.5, 1e-3) << width;
+    for (const Point& x : w.points) EXPECT_GT(x[0] * x[3], 0) << width;
+  }
+}
+
 TEST(QuadricCurve, StopsAndTurnsBack) {
   WalkOptions options;
   options.stop = [](const Point& x) { return x[3] < 0; };

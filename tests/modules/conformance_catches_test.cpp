@@ -1,4 +1,5 @@
-// A law that cannot fail proves nothing: each of these mistakes is planted in a geometry that is right otherwise.
+// A law that cannot fail proves nothing: each of these mistakes is planted in a geometry that is right but
+// for it.
 #include <gtest/gtest.h>
 
 #include "caught.hpp"
@@ -36,7 +37,9 @@ struct DroppedSign : Plane {
     return out;
   }
 };
-TEST(SpaceLaws, CatchADroppedSignInTheProduct) { EXPECT_TRUE(space_caught<DroppedSign>("product_is_associative")); }
+TEST(SpaceLaws, CatchADroppedSignInTheProduct) {
+  EXPECT_TRUE(space_caught<DroppedSign>("product_is_associative"));
+}
 
 struct WrongOrder : Plane {
   template <class T>
@@ -86,7 +89,9 @@ struct ActInTheMovingFrame : Plane {
     return Plane::act<T>(Plane::conjugate<T>(x), a);
   }
 };
-TEST(SpaceLaws, CatchTheInverseAction) { EXPECT_TRUE(space_caught<ActInTheMovingFrame>("acts_from_the_left")); }
+TEST(SpaceLaws, CatchTheInverseAction) {
+  EXPECT_TRUE(space_caught<ActInTheMovingFrame>("acts_from_the_left"));
+}
 
 struct WrongDistance : Plane {
   static double distance(const Place& a, const Place& b) { return (a - b).lpNorm<1>(); }
@@ -105,7 +110,9 @@ struct CoarseGap : Plane {
     return std::sqrt(std::max(0.0, 1 - std::pow(x.normalized().dot(y.normalized()), 2)));
   }
 };
-TEST(SpaceLaws, CatchAGapBlindBelowTheRootOfRounding) { EXPECT_TRUE(space_caught<CoarseGap>("gap_tells_points_apart")); }
+TEST(SpaceLaws, CatchAGapBlindBelowTheRootOfRounding) {
+  EXPECT_TRUE(space_caught<CoarseGap>("gap_tells_points_apart"));
+}
 
 struct WrongPose : Plane {
   static Pose pose(const Image& x) {
@@ -125,17 +132,27 @@ struct ShiftedIdentity : Plane {
     return {p.x - 1, p.y, p.angle};
   }
 };
-TEST(SpaceLaws, CatchAnIdentityThatIsNone) { EXPECT_TRUE(space_caught<ShiftedIdentity>("product_is_associative")); }
+TEST(SpaceLaws, CatchAnIdentityThatIsNone) {
+  EXPECT_TRUE(space_caught<ShiftedIdentity>("product_is_associative"));
+}
 
 struct IdleNudge : Plane {
-  static Pose nudged(const Pose& p, const Vector<double, 3>& u) { return {p.x + u[0], p.y + u[0], p.angle + u[2]}; }
+  static Pose nudged(const Pose& p, const Vector<double, 3>& u) {
+    return {p.x + u[0], p.y + u[0], p.angle + u[2]};
+  }
 };
-TEST(SpaceLaws, CatchDependentLocalCoordinates) { EXPECT_TRUE(space_caught<IdleNudge>("nudges_are_local_coordinates")); }
+TEST(SpaceLaws, CatchDependentLocalCoordinates) {
+  EXPECT_TRUE(space_caught<IdleNudge>("nudges_are_local_coordinates"));
+}
 
 struct NudgeInDegrees : Plane {
-  static Pose nudged(const Pose& p, const Vector<double, 3>& u) { return {p.x + u[0], p.y + u[1], p.angle + u[2] / 57}; }
+  static Pose nudged(const Pose& p, const Vector<double, 3>& u) {
+    return {p.x + u[0], p.y + u[1], p.angle + u[2] / 57};
+  }
 };
-TEST(SpaceLaws, CatchLocalCoordinatesInDegrees) { EXPECT_TRUE(space_caught<NudgeInDegrees>("nudges_are_local_coordinates")); }
+TEST(SpaceLaws, CatchLocalCoordinatesInDegrees) {
+  EXPECT_TRUE(space_caught<NudgeInDegrees>("nudges_are_local_coordinates"));
+}
 
 TEST(DyadLaws, AcceptWhatIsRight) {
   EXPECT_TRUE(laws::dyad_violations<Circle>().empty());
@@ -148,7 +165,9 @@ struct Mutant : D {
 };
 
 struct UnmovedBody : Mutant<UnmovedBody> {
-  static Design moved(const Design& d, const Image& g, const Image&) { return {placed(g, d.fixed), d.moving, d.length}; }
+  static Design moved(const Design& d, const Image& g, const Image&) {
+    return {placed(g, d.fixed), d.moving, d.length};
+  }
 };
 TEST(DyadLaws, CatchAFrameChangeForgotten) { EXPECT_TRUE(dyad_caught<UnmovedBody>("residual_is_covariant")); }
 
@@ -157,22 +176,32 @@ struct WrongBody : Mutant<WrongBody> {
     return Circle::residual({d.moving, d.fixed, d.length}, x);
   }
 };
-TEST(DyadLaws, CatchBodiesMixedUpInTheResidual) { EXPECT_TRUE(dyad_caught<WrongBody>("residual_is_covariant")); }
+TEST(DyadLaws, CatchBodiesMixedUpInTheResidual) {
+  EXPECT_TRUE(dyad_caught<WrongBody>("residual_is_covariant"));
+}
 
 struct NotSwapped : Mutant<NotSwapped> {
   static Design inverse(const Design& d) { return d; }
 };
-TEST(DyadLaws, CatchAnInverseThatDoesNotSwap) { EXPECT_TRUE(dyad_caught<NotSwapped>("inverse_exchanges_the_bodies")); }
+TEST(DyadLaws, CatchAnInverseThatDoesNotSwap) {
+  EXPECT_TRUE(dyad_caught<NotSwapped>("inverse_exchanges_the_bodies"));
+}
 
 struct AlwaysMet : Mutant<AlwaysMet> {
   static double residual(const Design&, const Plane::Pose&) { return 0; }
 };
-TEST(DyadLaws, CatchAConstraintThatConstrainsNothing) { EXPECT_TRUE(dyad_caught<AlwaysMet>("design_constrains_poses")); }
+TEST(DyadLaws, CatchAConstraintThatConstrainsNothing) {
+  EXPECT_TRUE(dyad_caught<AlwaysMet>("design_constrains_poses"));
+}
 
 struct NeverMet : Mutant<NeverMet> {
-  static double residual(const Design& d, const Plane::Pose& x) { return std::abs(Circle::residual(d, x)) + 1; }
+  static double residual(const Design& d, const Plane::Pose& x) {
+    return std::abs(Circle::residual(d, x)) + 1;
+  }
 };
-TEST(DyadLaws, CatchAConstraintThatNothingMeets) { EXPECT_TRUE(dyad_caught<NeverMet>("design_constrains_poses")); }
+TEST(DyadLaws, CatchAConstraintThatNothingMeets) {
+  EXPECT_TRUE(dyad_caught<NeverMet>("design_constrains_poses"));
+}
 
 struct IdleParameter : Mutant<IdleParameter> {
   static Design nudged(const Design& d, Vector<double, 5> u) {
@@ -180,7 +209,9 @@ struct IdleParameter : Mutant<IdleParameter> {
     return Circle::nudged(d, u);
   }
 };
-TEST(DyadLaws, CatchAnIdleParameter) { EXPECT_TRUE(dyad_caught<IdleParameter>("parameters_are_independent")); }
+TEST(DyadLaws, CatchAnIdleParameter) {
+  EXPECT_TRUE(dyad_caught<IdleParameter>("parameters_are_independent"));
+}
 
 struct WrongName : Mutant<WrongName> {
   static constexpr const char* name = "RP";
@@ -220,7 +251,9 @@ struct SignedDecode : toy::StopFamily {
     return toy::StopDesign{std::atan2(k[1], k[0])};
   }
 };
-TEST(LiftedLaws, CatchADecodeThatSeesTheScale) { EXPECT_TRUE(dyad_caught<StopIn<SignedDecode>>("decode_undoes_encode")); }
+TEST(LiftedLaws, CatchADecodeThatSeesTheScale) {
+  EXPECT_TRUE(dyad_caught<StopIn<SignedDecode>>("decode_undoes_encode"));
+}
 
 struct DependentRows : toy::StopFamily {
   template <class T>
@@ -230,7 +263,9 @@ struct DependentRows : toy::StopFamily {
     return out;
   }
 };
-TEST(LiftedLaws, CatchADimensionTooLarge) { EXPECT_TRUE(dyad_caught<StopIn<DependentRows>>("rows_span_the_family")); }
+TEST(LiftedLaws, CatchADimensionTooLarge) {
+  EXPECT_TRUE(dyad_caught<StopIn<DependentRows>>("rows_span_the_family"));
+}
 
 }  // namespace
 }  // namespace burmester

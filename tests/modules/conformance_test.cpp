@@ -16,7 +16,8 @@ TEST(Conformance, ViolationsPrintInputsBothSidesAndSeed) {
                          }};
   const laws::Violations found = laws::violations(broken, "toy");
   ASSERT_EQ(found.size(), 4u);
-  EXPECT_EQ(found[0], "one is two\n  x = 7\n  expected 2\n  actual   1\n  off by 1, allowed 0.5\n  [seed toy.broken]");
+  EXPECT_EQ(found[0],
+            "one is two\n  x = 7\n  expected 2\n  actual   1\n  off by 1, allowed 0.5\n  [seed toy.broken]");
   EXPECT_EQ(found[3], "and 7 more [seed toy.broken]");
 }
 

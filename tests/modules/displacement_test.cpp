@@ -35,7 +35,9 @@ TYPED_TEST_SUITE(ExactLaws, AllThree);
 TYPED_TEST(ExactLaws, HoldWithoutAnyRounding) {
   using S = TypeParam;
   Random random("ExactLaws." + std::to_string(S::ambient));
-  const auto product = [](const Exact<S>& x, const Exact<S>& y) { return S::template product<Rational>(x, y); };
+  const auto product = [](const Exact<S>& x, const Exact<S>& y) {
+    return S::template product<Rational>(x, y);
+  };
   const auto norm = [](const Exact<S>& x) { return S::template norm<Rational>(x); };
   for (int i = 0; i < 30; ++i) {
     const Exact<S> x = random_displacement<S>(random), y = random_displacement<S>(random);

@@ -139,6 +139,15 @@ TEST(ResultDocument, ShowsAnglesInTheProblemsUnit) {
   }
 }
 
+TEST(ResultDocument, RefusesNumbersThatAreNone) {
+  Synthesis s = untidy();
+  s.dyads[1].fixed[0] = std::nan("");
+  EXPECT_THROW(document_of(s), std::runtime_error);
+  s = untidy();
+  s.dyads[1].condition = std::numeric_limits<double>::infinity();  // nothing to tell
+  EXPECT_FALSE(document_of(s)["dyads"][1].contains("condition"));
+}
+
 TEST(ResultDocument, ShowsNullForUnknownCounts) {
   Synthesis s;
   s.status = Status::degenerate;

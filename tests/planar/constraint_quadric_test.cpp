@@ -36,7 +36,8 @@ TEST(ConstraintQuadric, IsTheConstraintManifoldEquation) {
                            (K[0] * y + K[2]) * X[0] * X[3] + (K[0] * x + K[1]) * X[1] * X[3] - cross * X[2] * X[3] +
                            (K3 + 2 * dot) / 4 * X[3] * X[3];
     const Vector<double, 8> k{{K[0], K[1], K[2], K[0] * x, K[0] * y, K3, dot, -cross}};
-    EXPECT_NEAR(constraint_quadric(k)({X[3], X[2], X[1], -X[0]}), printed, 1e-13 * (1 + X.squaredNorm()) * (1 + k.norm()));
+    const double value = constraint_quadric(k)({X[3], X[2], X[1], -X[0]});
+    EXPECT_NEAR(value, printed, 1e-13 * (1 + X.squaredNorm()) * (1 + k.norm()));
   }
 }
 

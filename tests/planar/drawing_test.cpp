@@ -2,71 +2,19 @@
 
 #include <gtest/gtest.h>
 
-#include <complex>
-
 #include "burmester/planar/constraint_quadric.hpp"
 #include "burmester/planar/drawing/motion.hpp"
+#include "burmester/planar/planar.hpp"
+#include "burmester/planar/tasks.hpp"
+#include "planted_linkage.hpp"
 
 namespace burmester::planar {
 namespace {
 
-using Design = Family::Design;
 constexpr double pi = std::numbers::pi;
-
-// ---- An oracle: the coupler turned by a given angle ----
-
-/// The places t of E's origin where a dyad is met at an orientation: |t - centre| = radius, or normal . t = offset.
-struct Locus {
-  Vector2 centre, normal;
-  double radius = 0, offset = 0;
-  bool circle = false;
-};
-Locus locus(const Design& design, const Pose& turned) {
-  Locus out;
-  if (const auto* d = std::get_if<RR::Design>(&design)) {
-    out.centre = d->fixed - rotated(turned, d->moving), out.radius = d->length, out.circle = true;
-  } else if (const auto* e = std::get_if<PR::Design>(&design)) {
-    out.normal = e->line.normal, out.offset = e->line.offset - e->line.normal.dot(rotated(turned, e->moving));
-  } else if (const auto* f = std::get_if<RP::Design>(&design)) {
-    out.normal = rotated(turned, f->line.normal), out.offset = out.normal.dot(f->fixed) - f->line.offset;
-  }
-  return out;
-}
-std::vector<Vector2> meet_line(const Locus& line, const Locus& circle) {
-  const double distance = line.offset - line.normal.dot(circle.centre), h2 = circle.radius * circle.radius - distance * distance;
-  if (h2 < 0) return {};
-  const Vector2 foot = circle.centre + distance * line.normal, along(line.normal[1], -line.normal[0]);
-  return {foot + std::sqrt(h2) * along, foot - std::sqrt(h2) * along};
-}
-std::vector<Vector2> meet(const Locus& a, const Locus& b) {
-  if (a.circle && !b.circle) return meet_line(b, a);
-  if (!a.circle && b.circle) return meet_line(a, b);
-  if (!a.circle) {
-    Eigen::Matrix2d m;
-    m << a.normal.transpose(), b.normal.transpose();
-    return {m.inverse() * Eigen::Vector2d(a.offset, b.offset)};
-  }
-  const Vector2 d = b.centre - a.centre;  // the radical line
-  const double g = d.norm();
-  Locus line;
-  line.normal = d / g;
-  line.offset = line.normal.dot(a.centre) + (g * g + a.radius * a.radius - b.radius * b.radius) / (2 * g);
-  return meet_line(line, a);
-}
-/// Poses of the linkage with the coupler turned by `angle`: two circles have two, on either side.
-std::vector<Pose> poses_at(const Design& a, const Design& b, double angle) {
-  std::vector<Pose> out;
-  for (const Vector2& t : meet(locus(a, pose_from_radians(0, 0, angle)), locus(b, pose_from_radians(0, 0, angle))))
-    out.push_back(pose_from_radians(t[0], t[1], angle));
-  return out;
-}
 
 // ---- Problems and answers from a planted linkage ----
 
-struct Planted {
-  Design a, b;
-  std::vector<Pose> poses;
-};
 DyadRecord record_of(const Design& design, int id) {
   DyadRecord out = Dyads::visit(design, []<class D>(const typename D::Design& d) { return D::record(d); });
   out.id = id;
@@ -85,19 +33,6 @@ Drawing draw(const Planted& p) {
 double residual(const Design& design, const Pose& x) {
   return Dyads::visit(design, [&]<class D>(const typename D::Design& d) { return D::residual(d, x); });
 }
-/// All five poses on random designs of two types; orientations uniform.
-template <class A, class B>
-Planted plant(Random& random) {
-  for (;;) {
-    Planted out{A::random_design(random), B::random_design(random), {}};
-    for (int tries = 0; tries < 40 && out.poses.size() < 5; ++tries) {
-      const auto found = poses_at(out.a, out.b, random.uniform(-pi, pi));
-      if (!found.empty() && std::hypot(found[0].x, found[0].y) < 5) out.poses.push_back(found[0]);
-    }
-    if (out.poses.size() == 5) return out;
-  }
-}
-
 // ---- What every drawing must be ----
 
 Vector2 at(const std::array<double, 2>& p) { return {p[0], p[1]}; }
@@ -369,6 +304,21 @@ TEST(DrawSynthesis, FarPivotsGiveFiniteDrawings) {
   }
 }
 
+/// Pivots 1 / turn away, links of length 1: the motion is as large as ever, turned through 1e-6.
+TEST(DrawSynthesis, SmallTurnsAboutFarPivots) {
+  for (const double turn : {1e-2, 1e-4, 1e-6}) {
+    SCOPED_TRACE(turn);
+    const RR::Design a{{1, 1 / turn}, {0, 1 / turn}, 1.2}, b{{-0.6 / turn, 1.3}, {-0.6 / turn, 0.2}, 1};
+    Planted p{a, b, {}};
+    for (const double angle : {-0.3, 0.0, 0.2, 0.4})
+      for (const Pose& x : poses_at(a, b, turn * angle)) p.poses.push_back(x);
+    ASSERT_GT(p.poses.size(), 4u);
+    const LinkageDrawing l = expect_drawn(p, 10);
+    EXPECT_LE(l.motions.size(), 2u);
+    for (const MotionDrawing& m : l.motions) EXPECT_TRUE(m.closed);
+  }
+}
+
 TEST(DrawSynthesis, APoseThatIsMissedIsShownWhereTheLinkageComesNearest) {
   Planted p = crank_rocker({0.1, 1, 2, 3.5, 5});
   p.poses[2].x += 0.01;
@@ -378,6 +328,30 @@ TEST(DrawSynthesis, APoseThatIsMissedIsShownWhereTheLinkageComesNearest) {
   const Pose shown = pose_shown(l, l.at_pose[2]);
   EXPECT_LT(apart(shown, p.poses[2]), 0.02);
   EXPECT_LT(std::abs(residual(p.a, shown)), 1e-9);
+}
+
+/// Every answer of the solvers draws: finite, every pose on exactly one motion.
+TEST(DrawSynthesis, AnswersToEveryKindOfTask) {
+  const auto module = make_module();
+  for (const TaskClass& task : random_task_classes()) {
+    Random random("DrawSynthesis.AnswersToEveryKindOfTask." + std::string(task.name));
+    for (int i = 0; i < 10; ++i) {
+      SCOPED_TRACE(std::string(task.name) + " " + std::to_string(i));
+      Problem problem;
+      for (const Pose& x : task.make(random)) problem.poses.push_back({x.x, x.y, x.X3, x.X4});
+      const Synthesis answer = module->synthesize(problem);
+      const Drawing drawing = draw_synthesis(problem, answer);
+      ASSERT_EQ(drawing.linkages.size(), answer.linkages.size());
+      for (const LinkageDrawing& l : drawing.linkages) {
+        std::vector<int> times(problem.poses.size(), 0);
+        for (const MotionDrawing& m : l.motions) {
+          for (const Snapshot& s : m.frames) expect_well_formed(l, s);
+          for (const int j : m.poses) ++times[j - 1];
+        }
+        EXPECT_EQ(times, std::vector<int>(problem.poses.size(), 1)) << "linkage " << l.id;
+      }
+    }
+  }
 }
 
 TEST(DrawSynthesis, EmptyAnswersShowThePoses) {

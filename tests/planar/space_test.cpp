@@ -39,7 +39,8 @@ TEST(PlanarSpace, ImagePointsAreBlaschkeGruenwald) {
 TEST(PlanarSpace, ProductIsTheLaterDisplacementOnTheLeft) {
   const Pose shift = pose_from_degrees(1, 0, 0), turn = pose_from_degrees(0, 0, 90);
   const auto both = Space::product<double>(Space::point<double>(turn), Space::point<double>(shift));
-  const Pose expected = Space::pose(both);  // first shift, then turn: the origin goes to (1, 0), then to (0, 1)
+  const Pose expected =
+      Space::pose(both);  // first shift, then turn: the origin goes to (1, 0), then to (0, 1)
   EXPECT_LT(std::hypot(expected.x, expected.y - 1), 1e-15);
 }
 

@@ -91,7 +91,9 @@ TEST(SphericalFamily, DecodeIsEmptyWhereTheArcIsImaginary) {
 }
 
 TEST(SphericalFamily, ArcsWithinTheToleranceOfARightAngleAreSliders) {
-  const auto type_at = [](double beyond) { return Family::decode(RR::encode({z, x, pi / 2 + beyond}))->index(); };
+  const auto type_at = [](double beyond) {
+    return Family::decode(RR::encode({z, x, pi / 2 + beyond}))->index();
+  };
   EXPECT_EQ(type_at(0), 1u);
   EXPECT_EQ(type_at(9e-10), 1u);
   EXPECT_EQ(type_at(-9e-10), 1u);
@@ -123,8 +125,9 @@ TEST(SphericalRecord, AllFourWaysToWriteADyadLookTheSame) {
     const DyadRecord first = RR::record(d);
     EXPECT_GE(first.moving[2], 0);
     EXPECT_LE(*first.arc, pi / 2);
-    for (const RR::Design& same : {RR::Design{-d.fixed, d.moving, pi - d.arc}, RR::Design{d.fixed, -d.moving, pi - d.arc},
-                                   RR::Design{-d.fixed, -d.moving, d.arc}}) {
+    for (const RR::Design& same :
+         {RR::Design{-d.fixed, d.moving, pi - d.arc}, RR::Design{d.fixed, -d.moving, pi - d.arc},
+          RR::Design{-d.fixed, -d.moving, d.arc}}) {
       const DyadRecord other = RR::record(same);
       EXPECT_EQ(other.fixed, first.fixed);
       EXPECT_EQ(other.moving, first.moving);

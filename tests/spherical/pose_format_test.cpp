@@ -48,26 +48,30 @@ TEST(SphericalPoseFormat, SizesWhoseSquaresAreNoNumbersAreScaledExactly) {
 TEST(SphericalPoseFormat, ZeroesAreNoPoses) {
   EXPECT_EQ(complaint(R"({"quaternion_wxyz": [0, 0, 0, 0]})"),
             "task.json: quaternion_wxyz: expected a quaternion that is not zero, got an array of 4");
-  EXPECT_THAT(complaint(R"({"axis": [0, 0, 0], "angle": 1})"), HasSubstr("axis: expected an axis that is not zero"));
+  EXPECT_THAT(complaint(R"({"axis": [0, 0, 0], "angle": 1})"),
+              HasSubstr("axis: expected an axis that is not zero"));
   EXPECT_THROW(read_csv_pose({0, 0, 0, 0}), InputError);
 }
 
 TEST(SphericalPoseFormat, MatricesMustBeRotationsWithinOneMillionth) {
   EXPECT_EQ(complaint(R"({"matrix": [[0.9999996, 0, 0], [0, 1, 0], [0, 0, 1]]})"), "");
-  for (const char* text : {R"({"matrix": [[0.999, 0, 0], [0, 1, 0], [0, 0, 1]]})",    // stretched
-                           R"({"matrix": [[1, 0, 0], [0, 1, 0], [0, 0, -1]]})",       // a reflection
-                           R"({"matrix": [[1, 0.001, 0], [0, 1, 0], [0, 0, 1]]})",    // sheared
+  for (const char* text : {R"({"matrix": [[0.999, 0, 0], [0, 1, 0], [0, 0, 1]]})",  // stretched
+                           R"({"matrix": [[1, 0, 0], [0, 1, 0], [0, 0, -1]]})",     // a reflection
+                           R"({"matrix": [[1, 0.001, 0], [0, 1, 0], [0, 0, 1]]})",  // sheared
                            R"({"matrix": [[0, 0, 0], [0, 0, 0], [0, 0, 0]]})"})
     EXPECT_THAT(complaint(text), HasSubstr("orthogonal matrix with determinant +1")) << text;
 }
 
 TEST(SphericalPoseFormat, WrongShapesSayWhere) {
-  EXPECT_THAT(complaint(R"({"axis": [0, 1], "angle": 1})"), HasSubstr("axis: expected an array of 3 numbers"));
+  EXPECT_THAT(complaint(R"({"axis": [0, 1], "angle": 1})"),
+              HasSubstr("axis: expected an array of 3 numbers"));
   EXPECT_THAT(complaint(R"({"axis": [0, 0, 1]})"), HasSubstr("angle: expected a number, got nothing"));
-  EXPECT_THAT(complaint(R"({"matrix": [[1, 0, 0], [0, 1, 0]]})"), HasSubstr("matrix: expected an array of 3 rows"));
+  EXPECT_THAT(complaint(R"({"matrix": [[1, 0, 0], [0, 1, 0]]})"),
+              HasSubstr("matrix: expected an array of 3 rows"));
   EXPECT_THAT(complaint(R"({"matrix": [[1, 0, 0], [0, 1], [0, 0, 1]]})"), HasSubstr("matrix[1]"));
   EXPECT_THAT(complaint(R"({"longitude": 10})"), HasSubstr("latitude: expected a number"));
-  for (const char* text : {"{}", "[1, 0, 0, 0]", "3", R"({"axis": [0, 0, 1], "angle": 1, "quaternion_wxyz": [1, 0, 0, 0]})"})
+  for (const char* text :
+       {"{}", "[1, 0, 0, 0]", "3", R"({"axis": [0, 0, 1], "angle": 1, "quaternion_wxyz": [1, 0, 0, 0]})"})
     EXPECT_THAT(complaint(text), HasSubstr("a pose: one of")) << text;
 }
 

@@ -28,8 +28,9 @@ std::array<std::array<double, 3>, 3> matrix_of(const Pose& pose) {
 testing::AssertionResult same(const Pose& a, const Pose& b, double tolerance = 4e-16) {
   const double gap = Space::gap(Space::point<double>(a), Space::point<double>(b));
   if (gap <= tolerance) return testing::AssertionSuccess();
-  return testing::AssertionFailure() << "gap " << gap << ": (" << a.w << ", " << a.x << ", " << a.y << ", " << a.z
-                                     << ") and (" << b.w << ", " << b.x << ", " << b.y << ", " << b.z << ")";
+  return testing::AssertionFailure() << "gap " << gap << ": (" << a.w << ", " << a.x << ", " << a.y << ", "
+                                     << a.z << ") and (" << b.w << ", " << b.x << ", " << b.y << ", " << b.z
+                                     << ")";
 }
 
 // Goldens: conventions.
@@ -50,8 +51,9 @@ TEST(SphericalPose, GlobeIsRzRyRx) {
   const auto product = [](const Pose& a, const Pose& b) {
     return Space::pose(Space::product<double>(Space::point<double>(a), Space::point<double>(b)));
   };
-  const Pose expected = product(product(pose_from_axis_degrees({0, 0, 1}, 10), pose_from_axis_degrees({0, 1, 0}, -20)),
-                                pose_from_axis_degrees({1, 0, 0}, 30));
+  const Pose expected =
+      product(product(pose_from_axis_degrees({0, 0, 1}, 10), pose_from_axis_degrees({0, 1, 0}, -20)),
+              pose_from_axis_degrees({1, 0, 0}, 30));
   EXPECT_TRUE(same(pose_from_globe_degrees(10, 20, 30), expected));
 }
 
@@ -65,20 +67,23 @@ TEST(SphericalPose, DegreesAreReducedExactly) {
     EXPECT_EQ(p.x, 0) << angle;
   }
   for (const double angle : {30.0, 90.0, -45.0, 120.0, 200.0, -300.0, 359.0})
-    EXPECT_TRUE(same(pose_from_axis_degrees({1, 2, 3}, angle), pose_from_axis_radians({1, 2, 3}, angle / 180 * pi)))
+    EXPECT_TRUE(
+        same(pose_from_axis_degrees({1, 2, 3}, angle), pose_from_axis_radians({1, 2, 3}, angle / 180 * pi)))
         << angle;
 }
 
 TEST(SphericalPose, AxisLengthDoesNotMatter) {
   const Pose expected = pose_from_axis_degrees({1, 2, 2}, 50);
   for (const double scale : {1e-310, 1e-200, 0.5, 1e200, 8e307})
-    EXPECT_TRUE(same(pose_from_axis_degrees({scale, 2 * scale, 2 * scale}, 50), expected, scale < 1e-300 ? 1e-13 : 4e-16))
+    EXPECT_TRUE(same(pose_from_axis_degrees({scale, 2 * scale, 2 * scale}, 50), expected,
+                     scale < 1e-300 ? 1e-13 : 4e-16))
         << scale;
 }
 
 TEST(SphericalPose, MatrixGivesThePoseBackInEveryRegion) {
-  std::vector<Pose> poses{{}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}, {1e-9, 1, 0, 0}, {1, 0, 1e-9, 0}, {0, 1, 1, 1},
-                          {1, 1, 1, 1}, {1, -1, 1, -1}};
+  std::vector<Pose> poses{{},           {0, 1, 0, 0},    {0, 0, 1, 0},
+                          {0, 0, 0, 1}, {1e-9, 1, 0, 0}, {1, 0, 1e-9, 0},
+                          {0, 1, 1, 1}, {1, 1, 1, 1},    {1, -1, 1, -1}};
   Random random("SphericalPose.MatrixGivesThePoseBackInEveryRegion");
   for (int i = 0; i < 200; ++i) poses.push_back(Space::random_pose(random));
   for (const Pose& p : poses) EXPECT_TRUE(same(pose_from_matrix(matrix_of(p)), p, 2e-15));

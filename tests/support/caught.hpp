@@ -44,15 +44,16 @@ struct FlippedForm : D {
 template <class D, int entry>
 void expect_flip_caught() {
   EXPECT_TRUE(caught(laws::dyad_violations<FlippedRow<D, entry>>(), "form_is_a_function")) << "row " << entry;
-  EXPECT_TRUE(caught(laws::dyad_violations<FlippedForm<D, entry>>(), "form_is_a_function")) << "form " << entry;
+  EXPECT_TRUE(caught(laws::dyad_violations<FlippedForm<D, entry>>(), "form_is_a_function"))
+      << "form " << entry;
 }
 
-/// Every flipped entry is seen. Precondition: D is its own inverse, and no entry of its form is zero for all designs.
+/// Every flipped entry is seen. Precondition: D is its own inverse, and no entry of its form is zero for all
+/// designs.
 template <class D>
 void expect_flips_caught() {
-  []<int... entry>(std::integer_sequence<int, entry...>) {
-    (expect_flip_caught<D, entry>(), ...);
-  }(std::make_integer_sequence<int, D::Family::dimension>{});
+  []<int... entry>(std::integer_sequence<int, entry...>) { (expect_flip_caught<D, entry>(), ...); }
+  (std::make_integer_sequence<int, D::Family::dimension>{});
 }
 
 }  // namespace burmester

@@ -19,7 +19,16 @@ using namespace burmester::exact;
 using Lifted = Vector<Rational, 8>;  ///< k of planar/family.hpp
 using Coefficients = std::vector<Rational>;
 
-/// Basis of the solutions of rows . k = 0, by elimination.
+/// A multiple of k in coprime integers: fractions of large numbers are slow.
+inline Lifted cleared(const Lifted& k) {
+  Integer common = 1, content = 0;
+  for (int i = 0; i < 8; ++i) common = lcm(common, Integer(denominator(k[i])));
+  Lifted out = k * Rational(common);
+  for (int i = 0; i < 8; ++i) content = gcd(content, Integer(numerator(out[i])));
+  return out / Rational(content);
+}
+
+/// Basis of the solutions of rows . k = 0, by elimination, in integers.
 inline std::vector<Lifted> null_basis(std::vector<Lifted> rows) {
   std::vector<int> pivot;  // pivot[r]: the column of row r
   for (int c = 0; c < 8; ++c) {
@@ -39,7 +48,7 @@ inline std::vector<Lifted> null_basis(std::vector<Lifted> rows) {
     Lifted k = Lifted::Zero();
     k[c] = 1;
     for (std::size_t r = 0; r < pivot.size(); ++r) k[pivot[r]] = -rows[r][c];
-    basis.push_back(k);
+    basis.push_back(cleared(k));
   }
   return basis;
 }

@@ -54,7 +54,9 @@ struct SS {
     Place fixed, moving;
     double length = 0;
   };
-  static Place placed(const Image& x, const Place& a) { return Spatial::act<double>(x, a) / Spatial::norm<double>(x); }
+  static Place placed(const Image& x, const Place& a) {
+    return Spatial::act<double>(x, a) / Spatial::norm<double>(x);
+  }
   static double residual(const Design& d, const Spatial::Pose& x) {
     return (placed(Spatial::point<double>(x), d.moving) - d.fixed).norm() - d.length;
   }

@@ -27,7 +27,9 @@ struct Plane : Displacement<std::array{0, 3, 5, 6}, std::array{1, 2}> {
     const double n = norm<double>(p) / 2;
     return {(p[0] * p[2] - p[1] * p[3]) / n, (p[1] * p[2] + p[0] * p[3]) / n, 2 * std::atan2(p[1], p[0])};
   }
-  static Pose nudged(const Pose& p, const Vector<double, 3>& u) { return {p.x + u[0], p.y + u[1], p.angle + u[2]}; }
+  static Pose nudged(const Pose& p, const Vector<double, 3>& u) {
+    return {p.x + u[0], p.y + u[1], p.angle + u[2]};
+  }
   static double distance(const Feature<double>& a, const Feature<double>& b) { return (a - b).norm(); }
   static Pose random_pose(Random& random) {
     const double x = random.normal(), y = random.normal();
@@ -51,7 +53,9 @@ struct Circle {
     Place fixed, moving;
     double length = 0;
   };
-  static Place placed(const Image& x, const Place& a) { return Plane::act<double>(x, a) / Plane::norm<double>(x); }
+  static Place placed(const Image& x, const Place& a) {
+    return Plane::act<double>(x, a) / Plane::norm<double>(x);
+  }
   static double residual(const Design& d, const Plane::Pose& x) {
     return (placed(Plane::point<double>(x), d.moving) - d.fixed).norm() - d.length;
   }
@@ -136,7 +140,9 @@ struct Stop {
   }
   static Design inverse(const Design& d) { return {-d.angle}; }
   static Design nudged(const Design& d, const Vector<double, 1>& u) { return {d.angle + u[0]}; }
-  static Design random_design(Random& random) { return {random.uniform(-std::numbers::pi, std::numbers::pi)}; }
+  static Design random_design(Random& random) {
+    return {random.uniform(-std::numbers::pi, std::numbers::pi)};
+  }
   static Vector<double, 3> encode(const Design& d) { return {std::cos(d.angle), std::sin(d.angle), -1}; }
   static DyadRecord record(const Design& d) {
     DyadRecord out;

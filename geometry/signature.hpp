@@ -1,0 +1,50 @@
+// Signature of a symmetric 3 x 3 matrix: positive minus negative squares (Sylvester's law of inertia).
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "burmester/geometry/number.hpp"
+#include "burmester/geometry/sign.hpp"
+#include "burmester/geometry/vector.hpp"
+
+namespace burmester {
+
+struct Inertia {
+  int rank = 0, signature = 0;
+};
+
+/// By symmetric elimination, largest diagonal entry first. Nothing where the number type cannot tell a sign. Exact over
+/// exact types; there a zero diagonal with entries beside it is made non-zero by a congruence.
+template <class T>
+std::optional<Inertia> inertia(Matrix<T, 3, 3> m) {
+  Inertia out;
+  for (int k = 0; k < 3; ++k) {
+    int p = k;
+    for (int i = k + 1; i < 3; ++i)
+      if (std::abs(approximate(m(i, i))) > std::abs(approximate(m(p, p)))) p = i;
+    for (int i = k; i < 3 && approximate(m(p, p)) == 0; ++i)
+      for (int j = i + 1; j < 3; ++j) {
+        if (approximate(m(i, j)) == 0) continue;
+        for (int c = 0; c < 3; ++c) m(i, c) += m(j, c);
+        for (int r = 0; r < 3; ++r) m(r, i) += m(r, j);
+        p = i;
+        break;
+      }
+    m.row(k).swap(m.row(p));
+    m.col(k).swap(m.col(p));
+    const std::optional<int> sign = known_sign(m(k, k));
+    if (!sign) return std::nullopt;
+    if (*sign == 0) return out;  // exact types: the rest is zero
+    ++out.rank;
+    out.signature += *sign;
+    for (int r = k + 1; r < 3; ++r) {
+      const T factor = m(r, k) / m(k, k);
+      for (int c = k + 1; c < 3; ++c) m(r, c) -= factor * m(k, c);
+    }
+  }
+  return out;
+}
+
+}  // namespace burmester

@@ -1,0 +1,20 @@
+// Certificates: what is proved of an answer, made by a step of its own.
+//
+// Two halves: each dyad listed is the only one in a box (`radius` bounds its distance from the values shown), and the
+// number of real dyads is proved, so that nothing is missing. A certificate speaks of the exact problem: the doubles
+// of the poses, read as exact numbers. Which arithmetic decided is told by the rung.
+#pragma once
+
+#include <string_view>
+
+namespace burmester {
+
+enum class Rung { none, intervals, exact };  ///< none: nothing proved; exact: rational arithmetic was needed
+
+struct Certificate {
+  bool certified = false;
+  double radius = 0;  ///< largest error of a coordinate or length shown (length units), of an angle (radians)
+  Rung rung = Rung::none;
+};
+
+}  // namespace burmester

@@ -1,0 +1,52 @@
+// The five-pose answer proved: every dyad in its box, and no others (docs/certificates.md has the proof).
+//
+// Intervals first: the rows, the null space and the two conics of the anchored equations enclose those of the exact
+// data; Krawczyk's test gives a box for each root, and the number of real common points of the conics follows from the
+// inertia of one 3 x 3 matrix (geometry/conic_count.hpp). Where intervals cannot decide, the same formulas run over
+// rationals; then the number of real dyads is exact whatever the fast solver found, and the roots are those of quad
+// precision, enclosed with rational intervals.
+#pragma once
+
+#include <array>
+
+#include "burmester/modules/framework/certificate.hpp"
+#include "burmester/planar/dyads.hpp"
+#include "burmester/planar/five_pose_roots.hpp"
+
+namespace burmester::planar {
+
+/// An interval of doubles.
+struct Range {
+  double low = 0, high = 0;
+};
+
+/// Where a dyad provably is, as an RR: pivots seen from the reference pose's origin (moving: directions of E, fixed:
+/// directions of S) and the distance between them, length units of the poses. Ends may be infinite: a pivot that may
+/// be at infinity.
+struct DyadBox {
+  std::array<Range, 2> moving, fixed;
+  Range length;
+  Rung rung = Rung::none;  ///< none: no box could be proved
+};
+
+struct CertifiedRoots {
+  FivePoseRoots<double> roots;   ///< the roots to be listed: corrected where the fast solver's count was wrong
+  std::array<DyadBox, 4> boxes;  ///< box of root i
+  bool complete = false;         ///< the number of real dyads is proved to be roots.count, and all boxes are disjoint
+  Rung count_rung = Rung::none;  ///< what proved the number
+};
+
+/// For any five poses; degenerate ones come back as they were found, with nothing proved.
+CertifiedRoots certified_five_pose_roots(FivePoses poses);
+
+/// Largest error of the coordinates and the length that `shown` states (pivots as in results), given that the dyad is in
+/// the box; for a slider the largest distance of the true pivot's five places from the line shown is part of it.
+/// Infinite where the box does not say.
+double error_bound(const Dyads::Design& shown, const DyadBox& box, FivePoses poses, const Anchor& anchor);
+
+/// The interval rung alone: 0, 2 or 4 real dyads, -1 where intervals cannot tell. For tests and benchmarks.
+int count_by_intervals(FivePoses poses);
+/// The exact rung alone, -1 where two dyads coincide exactly or the poses are degenerate.
+int count_exactly(FivePoses poses);
+
+}  // namespace burmester::planar

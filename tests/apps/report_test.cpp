@@ -1,0 +1,101 @@
+#include "report/report.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "report/figure.hpp"
+#include "report/svg.hpp"
+
+namespace burmester {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+using json = nlohmann::ordered_json;
+
+/// A slider-crank in two poses, one motion of three frames.
+Drawing slider_crank() {
+  LinkageDrawing l;
+  l.id = 7;
+  l.parts = {{"guide", "", false, 2}, {"link", "", false, 1},          {"coupler", "", true, 0},
+             {"block", "", true, 2},  {"fixed_pivot", "A0", false, 1}, {"moving_pivot", "A", false, 1},
+             {"frame", "", false, 0}};
+  const auto shot = [](double x) -> Snapshot {
+    return {{{-100, 0}, {100, 0}},          {{0, 0}, {1, 1}}, {{1, 1}, {x, 0}, {2, 1}},
+            {{x, 0}, {x + 1, 0}, {x, 0.5}}, {{0, 0}},         {{1, 1}},
+            {{x + 1, 0}, {x, 0}, {x, 1}}};
+  };
+  l.at_pose = {shot(2), shot(3.000000123456)};
+  l.motions = {{{1, 2}, {0, 2}, false, {shot(2), shot(2.5), shot(3)}}};
+  l.window = {-1, -1, 4, 3};
+  Drawing d;
+  d.poses = {{"1", {2, 0}, {1, 0}, {0, 1}}, {"2", {3, 0}, {1, 0}, {0, 1}}};
+  d.linkages = {l};
+  return d;
+}
+
+TEST(DrawingDocument, IsWhatThePageReads) {
+  const json d = drawing_document(slider_crank());
+  EXPECT_EQ(d["poses"][1]["label"], "2");
+  EXPECT_EQ(d["poses"][1]["origin"], json({3, 0}));
+  const json& l = d["linkages"][0];
+  EXPECT_EQ(l["id"], 7);
+  EXPECT_EQ(l["parts"][4]["role"], "fixed_pivot");
+  EXPECT_EQ(l["parts"].size(), l["at_pose"][0].size());
+  EXPECT_EQ(l["at_pose"][1][2][1][0], 3);  // rounded to a millionth of the window
+  EXPECT_EQ(l["motions"][0]["frames"].size(), 3u);
+  EXPECT_EQ(l["motions"][0]["pose_frames"], json({0, 2}));
+  EXPECT_EQ(l["window"], json({-1, -1, 4, 3}));
+}
+
+TEST(ReportPage, HasEverythingInIt) {
+  const std::string page = report_page({{"name", "</script><script>alert(1)"}}, slider_crank());
+  EXPECT_THAT(page, Not(HasSubstr("/*BURMESTER_")));
+  EXPECT_THAT(page, Not(HasSubstr("<script>alert")));
+  EXPECT_THAT(page, HasSubstr("\\u003c/script>"));
+  EXPECT_THAT(page, HasSubstr("prefers-color-scheme"));
+  EXPECT_THAT(page, HasSubstr("\"at_pose\""));
+}
+
+TEST(Figure, ShowsLinkageAndPoses) {
+  const Drawing d = slider_crank();
+  const std::string svg = linkage_figure(d.linkages[0], d, "a < b & c", "mm");
+  EXPECT_TRUE(svg.starts_with(figure_mark));
+  EXPECT_THAT(svg, HasSubstr("<title>Linkage 7 \u00b7 a &lt; b &amp; c</title>"));
+  EXPECT_THAT(svg, HasSubstr(">0.5 mm</text>"));
+  EXPECT_THAT(svg, HasSubstr(">A<tspan"));
+  EXPECT_THAT(svg, HasSubstr(pose_colour(1)));
+  EXPECT_THAT(svg, Not(HasSubstr("nan")));
+  EXPECT_THAT(poses_figure(d, "", ""), HasSubstr("<title>Task poses</title>"));
+}
+
+TEST(Figure, IsNeverTallerOrWiderThanItsSheet) {
+  for (const double size : {1e-300, 1e-3, 1.0, 1e6, 1e300})
+    for (const std::array<double, 2> stretch : {std::array{1.0, 1.0}, {1.0, 0.0}, {0.0, 1.0}, {1e-9, 1.0}}) {
+      const Svg svg({0, 0, size * stretch[0], size * stretch[1]}, "t");
+      EXPECT_LE(svg.width(), 800) << size;
+      EXPECT_LE(svg.height(), 800) << size;
+      EXPECT_TRUE(svg.inside(svg.place({0, 0})));
+    }
+}
+
+TEST(Figure, StandsEmptyAndSinglePoints) {
+  Drawing d = slider_crank();
+  d.linkages[0].at_pose.clear();
+  EXPECT_THAT(linkage_figure(d.linkages[0], d, "", ""), HasSubstr("</svg>"));
+  d.linkages[0].at_pose = {Snapshot(7)};
+  EXPECT_THAT(linkage_figure(d.linkages[0], d, "", ""), HasSubstr("</svg>"));
+  d.poses = {d.poses[0], d.poses[0]};
+  EXPECT_THAT(poses_figure(d, "", ""), Not(HasSubstr("nan")));
+}
+
+TEST(WindowOf, HoldsAllPoints) {
+  EXPECT_EQ(window_of({}, 0.1), (std::array<double, 4>{-1, -1, 1, 1}));
+  EXPECT_EQ(window_of({{3, 4}}, 0.1), (std::array<double, 4>{2, 3, 4, 5}));
+  EXPECT_EQ(window_of({{0, 0}, {10, 5}}, 0.1), (std::array<double, 4>{-1, -1, 11, 6}));
+}
+
+}  // namespace
+}  // namespace burmester
