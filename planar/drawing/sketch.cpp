@@ -97,16 +97,18 @@ void Sketch::add_dyad(const RP::Design& d, int id, const std::string& letter) {
 }
 
 void Sketch::add_dyad(const PP::Design&, int id, const std::string&) {
-  double left = farthest, right = -farthest, low = farthest, high = -farthest;
+  Vector2 low(farthest, farthest), high(-farthest, -farthest);
+  double level = 1;  // of the fixed guide: below the body while that is in view
   for (const Pose& x : everywhere_) {
-    left = std::min(left, x.x), right = std::max(right, x.x);
-    low = std::min(low, x.y), high = std::max(high, x.y);
+    const Vector2 p = origin_of(x);
+    low = low.cwiseMin(p), high = high.cwiseMax(p);
+    if (p.norm() <= 1.001) level = std::min(level, p[1] - 2 * overhang);
   }
-  const Vector2 from(left - overhang, low - 2 * overhang), to(right + overhang, low - 2 * overhang);
-  const double top = high + overhang, bottom = from[1];
+  const Vector2 from(low[0] - overhang, level), to(high[0] + overhang, level);
+  const double bottom = std::min(level, low[1] - overhang), top = high[1] + overhang;
   add("guide", "", id, [from, to](const Pose&) { return Points{from, to}; });
   add("guide", "", id, [bottom, top](const Pose& x) { return Points{{x.x, bottom}, {x.x, top}}; });
-  add("block", "", id, [bottom](const Pose& x) { return block_at({x.x, bottom}, {1, 0}); });
+  add("block", "", id, [level](const Pose& x) { return block_at({x.x, level}, {1, 0}); });
   add("block", "", id, [](const Pose& x) { return block_at(origin_of(x), {0, 1}); });
   bases_.push_back({from, to});
 }

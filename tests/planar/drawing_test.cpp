@@ -270,6 +270,23 @@ TEST(DrawSynthesis, TheDoubleSliderWithACrank) {
   EXPECT_EQ(roles_of(l, 3), (std::vector<std::string>{"guide", "guide", "block", "block"}));
 }
 
+TEST(DrawSynthesis, TheDoubleSliderWithAnotherSlider) {  // a straight translation
+  const Vector2 along(0.8, -0.6), offset = 0.2 * Vector2(0.6, 0.8);
+  const Pose turned = pose_from_radians(0, 0, 0.7);
+  Planted p{PP::Design{0.7}, PR::Design{{1, 0.3}, {{0.6, 0.8}, 0.2}}, {}};
+  Planted q{PP::Design{0.7}, RP::Design{{1, 0.3}, {rotated({0, 0, -turned.X3, turned.X4}, {0.6, 0.8}), 0.2}}, {}};
+  for (const double way : {-1.0, 0.0, 0.5, 2.0}) {
+    const Vector2 s = offset + way * along - rotated(turned, {1, 0.3}), t = Vector2(1, 0.3) - offset + way * along;
+    p.poses.push_back(pose_from_radians(s[0], s[1], 0.7));
+    q.poses.push_back(pose_from_radians(t[0], t[1], 0.7));
+  }
+  for (const Planted& one : {p, q}) {
+    const LinkageDrawing l = expect_drawn(one, 3);
+    ASSERT_EQ(l.motions.size(), 1u);
+    EXPECT_FALSE(l.motions[0].closed);
+  }
+}
+
 TEST(DrawSynthesis, MotionsToInfinityEndAtTheHorizon) {
   Planted p{PR::Design{{0, 0}, {{0, 1}, 0}}, RP::Design{{0, 1}, {{0, 1}, 0.5}}, {}};
   for (const double angle : {-0.8, -0.3, 0.1, 0.4, 0.9}) p.poses.push_back(poses_at(p.a, p.b, angle)[0]);
