@@ -4,6 +4,7 @@
 //
 // Routes:
 //   direct           planar::five_pose_roots
+//   certified        the same, proved complete, with a box for every dyad
 //   quad             the oracle
 //   eigen_kernels    only the two decompositions that the Eigen route cannot do without: JacobiSVD of the 4 x 7 matrix
 //                    (right singular vectors) and the eigenvalues of the 4 x 4 companion matrix; no answer comes out
@@ -15,6 +16,7 @@
 #include <Eigen/SVD>
 
 #include "eigen_route.hpp"
+#include "burmester/planar/five_pose_certificate.hpp"
 #include "five_pose_accuracy.hpp"
 
 namespace {
@@ -71,6 +73,7 @@ void run(benchmark::State& state, const std::string& name, Solve solve) {
 }
 
 FivePoseRoots<double> direct(const FivePoseTask& task) { return five_pose_roots(task); }
+FivePoseRoots<double> certified(const FivePoseTask& task) { return certified_five_pose_roots(task).roots; }
 
 const bool registered = [] {
   for (const TaskClass& c : random_task_classes()) {
@@ -80,6 +83,7 @@ const bool registered = [] {
                                    [=](benchmark::State& state) { run(state, name, solve); });
     };
     add("direct", direct);
+    add("certified", certified);
     add("eigen", eigen_route::solve);
     if (name != "generic") continue;
     add("eigen_kernels", eigen_route::kernels);

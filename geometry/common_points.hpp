@@ -137,7 +137,7 @@ class PencilSeparation {
 };
 
 /// Common points of a pencil in which not every member is singular (`determinant`: its pencil_determinant).
-/// Preconditions: both conics of size about 1. Points are accurate to a few units times the condition of the
+/// Preconditions: both conics of size about 1, not proportional. Points are accurate to a few units times the condition of the
 /// pencil; one Newton step of the caller on its own equations gives the rest.
 template <class T>
 CommonPoints<T> regular_common_points(const Conic<T>& a, const Conic<T>& b, const std::array<T, 4>& determinant) {
@@ -167,38 +167,67 @@ double size_on_line(const LinearForm<T>& l, const Conic<T>& q) {
   return std::max({std::abs(approximate(q(u))), std::abs(approximate(q.polar(u, v))), std::abs(approximate(q(v)))});
 }
 
-/// Common points of a pencil whose members are all singular: a shared line, a shared vertex or one conic only.
-/// Both conics of size about 1 or zero; coefficients below `tolerance` count as zero.
+/// Whether the conics, of size about 1 or zero, are proportional: all their 2 x 2 minors are below `tolerance`.
 template <class T>
-CommonPoints<T> degenerate_common_points(const Conic<T>& a, const Conic<T>& b, double tolerance) {
-  CommonPoints<T> out;
-  out.kind = PencilKind::same_conic;
+bool proportional(const Conic<T>& a, const Conic<T>& b, double tolerance) {
   double minors = 0;
   for (int i = 0; i < 6; ++i)
     for (int j = 0; j < i; ++j) minors = std::max(minors, std::abs(approximate(T(a.q[i] * b.q[j] - a.q[j] * b.q[i]))));
-  if (minors < tolerance) return out;
-  // Double lines aside, every member of such a pencil is a pair of lines, real ones where a real line is shared.
-  const LinePair<T> la = detail::split(a), lb = detail::split(b);
-  for (const LinearForm<T>* shared : {&la.first, &la.second}) {
-    if (!(la.separation > tolerance) || size_on_line(*shared, b) > tolerance) continue;
+  return minors < tolerance;
+}
+
+namespace detail {
+
+/// Two members of a degenerate pencil whose lines separate best: at most two of all are double lines, so of A, B, A + B
+/// and A - B at most two.
+template <class T>
+std::array<Conic<T>, 2> separated_members(const Conic<T>& a, const Conic<T>& b) {
+  std::array<Conic<T>, 4> member{a, b, pencil_member(a, T(1), b, T(1)), pencil_member(a, T(1), b, T(-1))};
+  std::array<double, 4> apart;
+  for (int i = 0; i < 4; ++i) apart[i] = std::abs(approximate(Adjugate<T>(member[i]).trace()));
+  for (int i = 0; i < 2; ++i) {
+    const auto best = std::max_element(apart.begin() + i, apart.end()) - apart.begin();
+    std::swap(apart[i], apart[best]), std::swap(member[i], member[best]);
+  }
+  return {member[0], member[1]};
+}
+
+/// The common point of all lines of a conic of rank two.
+template <class T>
+Point2<T> vertex_of(const Conic<T>& q) {
+  const Adjugate<T> adj(q);
+  Point2<T> vertex{adj.xx, adj.xy, adj.xz};
+  if (adj.yy * adj.yy > adj.xx * adj.xx) vertex = {adj.xy, adj.yy, adj.yz};
+  if (adj.zz * adj.zz > adj.xx * adj.xx && adj.zz * adj.zz > adj.yy * adj.yy) vertex = {adj.xz, adj.yz, adj.zz};
+  normalise(vertex);
+  return vertex;
+}
+
+}  // namespace detail
+
+/// Common points of a pencil whose members are all singular, or of proportional conics: a shared line, a shared vertex
+/// or one conic only. Both conics of size about 1 or zero; coefficients below `tolerance` count as zero.
+template <class T>
+CommonPoints<T> degenerate_common_points(const Conic<T>& a, const Conic<T>& b, double tolerance) {
+  using std::abs;
+  CommonPoints<T> out;
+  out.kind = PencilKind::same_conic;
+  if (proportional(a, b, tolerance)) return out;
+  const auto [first, second] = detail::separated_members(a, b);
+  const LinePair<T> l = detail::split(first), m = detail::split(second);
+  for (const LinearForm<T>* shared : {&l.first, &l.second}) {
+    if (!(l.separation > tolerance) || size_on_line(*shared, second) > tolerance) continue;
     out.kind = PencilKind::common_line;
     out.line = *shared;
-    const LinearForm<T>& m = shared == &la.first ? la.second : la.first;
-    const bool first_is_shared = lb.first.cross(*shared).squaredNorm() * lb.second.squaredNorm() <
-                                 lb.second.cross(*shared).squaredNorm() * lb.first.squaredNorm();
-    Point2<T> p = m.cross(first_is_shared ? lb.second : lb.first);
+    const bool first_is_shared = m.first.cross(*shared).squaredNorm() * m.second.squaredNorm() <
+                                 m.second.cross(*shared).squaredNorm() * m.first.squaredNorm();
+    Point2<T> p = (shared == &l.first ? l.second : l.first).cross(first_is_shared ? m.second : m.first);
     detail::normalise(p);
-    using std::abs;
     if (abs(shared->dot(p)) > T(tolerance) * shared->norm()) out.point[out.count++] = p;
     return out;
   }
   out.kind = PencilKind::common_vertex;
-  const Adjugate<T> adj(a);
-  Point2<T> vertex{T(adj.xx), T(adj.xy), T(adj.xz)};
-  if (adj.yy * adj.yy > vertex.squaredNorm()) vertex = {adj.xy, adj.yy, adj.yz};
-  if (adj.zz * adj.zz > vertex.squaredNorm()) vertex = {adj.xz, adj.yz, adj.zz};
-  detail::normalise(vertex);
-  out.point[out.count++] = vertex;
+  out.point[out.count++] = detail::vertex_of(first);
   return out;
 }
 

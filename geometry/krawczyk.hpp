@@ -17,6 +17,7 @@
 #include <optional>
 
 #include "burmester/geometry/number.hpp"
+#include "burmester/geometry/range.hpp"
 #include "burmester/geometry/vector.hpp"
 
 namespace burmester {
@@ -33,12 +34,6 @@ struct Box {
     return x;
   }
 };
-
-/// Upper bound of |x| over the interval.
-template <class Interval>
-double magnitude(const Interval& x) {
-  return std::max(std::abs(lower(x)), std::abs(upper(x)));
-}
 
 namespace detail {
 

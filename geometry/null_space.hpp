@@ -109,7 +109,10 @@ NullSpace<T, Rows, Cols> null_space(const Matrix<T, Rows, Cols>& matrix) {
   NullSpace<T, Rows, Cols> out;
   const int rank = e.run();
   for (int k = 0; k < rank; ++k) out.pivot[k] = e.pivot[k] / e.pivot[0];
-  if (rank < Rows) return out;
+  if (rank < Rows) {
+    out.basis.setConstant(T(0));
+    return out;
+  }
   unsigned pivoted = 0;
   for (int k = 0; k < Rows; ++k) pivoted |= 1u << e.column[k];
   for (int c = 0, f = 0; c < Cols; ++c) {

@@ -1,4 +1,4 @@
-// Quad precision (113 bits, g++ only): for oracles, tests and benchmarks, not for the product's fast paths.
+// Quad precision (113 bits, g++ only): for oracles, tests, benchmarks and the rare fallback, not for fast paths.
 #pragma once
 
 #include <boost/multiprecision/float128.hpp>

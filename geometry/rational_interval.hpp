@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "burmester/geometry/number.hpp"
 #include "burmester/geometry/rational.hpp"
@@ -49,10 +51,12 @@ class RationalInterval {
 /// The ends as doubles, moved outward over the rounding of the conversion.
 inline double lower(const RationalInterval& x) {
   const double d = static_cast<double>(x.low());
+  if (!std::isfinite(d)) return d < 0 ? d : std::numeric_limits<double>::max();
   return Rational(d) <= x.low() ? d : std::nextafter(d, -std::numeric_limits<double>::infinity());
 }
 inline double upper(const RationalInterval& x) {
   const double d = static_cast<double>(x.high());
+  if (!std::isfinite(d)) return d > 0 ? d : std::numeric_limits<double>::lowest();
   return Rational(d) >= x.high() ? d : std::nextafter(d, std::numeric_limits<double>::infinity());
 }
 

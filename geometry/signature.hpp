@@ -22,11 +22,11 @@ std::optional<Inertia> inertia(Matrix<T, 3, 3> m) {
   Inertia out;
   for (int k = 0; k < 3; ++k) {
     int p = k;
-    for (int i = k + 1; i < 3; ++i)
-      if (std::abs(approximate(m(i, i))) > std::abs(approximate(m(p, p)))) p = i;
-    for (int i = k; i < 3 && approximate(m(p, p)) == 0; ++i)
+    for (int i = k + 1; i < 3; ++i)  // approximate() may underflow to 0 where an exact entry is not
+      if (std::abs(approximate(m(i, i))) > std::abs(approximate(m(p, p))) || known_sign(m(p, p)) == 0) p = i;
+    for (int i = k; i < 3 && known_sign(m(p, p)) == 0; ++i)
       for (int j = i + 1; j < 3; ++j) {
-        if (approximate(m(i, j)) == 0) continue;
+        if (known_sign(m(i, j)) == 0) continue;
         for (int c = 0; c < 3; ++c) m(i, c) += m(j, c);
         for (int r = 0; r < 3; ++r) m(r, i) += m(r, j);
         p = i;

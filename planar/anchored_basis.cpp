@@ -2,20 +2,19 @@
 
 #include <limits>
 
-#include "burmester/planar/five_pose_roots.hpp"
-
 namespace burmester::planar {
 
 AnchorChoice choose_anchor(FivePoses poses) {
   double distance2[10], turn2[10], longest = 0, widest = 0, narrowest = std::numeric_limits<double>::infinity();
+  double per_norm[5];
+  for (int i = 0; i < 5; ++i) per_norm[i] = 2 / (poses[i].X3 * poses[i].X3 + poses[i].X4 * poses[i].X4);
   for (int i = 0, k = 0; i < 5; ++i) {
     const Pose& a = poses[i];
-    const double per_norm = 2 / (a.X3 * a.X3 + a.X4 * a.X4);  // norms of one task agree to rounding, or nearly
     for (int j = i + 1; j < 5; ++j, ++k) {
       const Pose& b = poses[j];
-      const double x = b.x - a.x, y = b.y - a.y, s = per_norm * (b.X3 * a.X4 - b.X4 * a.X3);
+      const double x = b.x - a.x, y = b.y - a.y, s = b.X3 * a.X4 - b.X4 * a.X3;
       distance2[k] = x * x + y * y;
-      turn2[k] = s * s;
+      turn2[k] = s * s * per_norm[i] * per_norm[j];
       longest = std::max(longest, distance2[k]);
       widest = std::max(widest, turn2[k]);
       narrowest = std::min(narrowest, turn2[k]);
@@ -33,7 +32,7 @@ AnchorChoice choose_anchor(FivePoses poses) {
       const double apart = distance2[k] * per_length2 + turn2[k] * per_turn2;
       if (apart < closest) closest = apart, out.anchor.reference = i;
       if (distance2[k] == 0 && turn2[k] <= 4 * same_turn2 &&
-          std::abs(relative_turn<double>(poses[i], poses[j]).X3) <= same_orientation_tolerance)
+          same_orientation(poses[i], poses[j]))
         out.equal_poses = true;
     }
   double farthest = 0;

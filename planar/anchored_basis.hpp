@@ -71,6 +71,15 @@ RelativeTurn<T> relative_turn(const Pose& a, const Pose& b) {
   return turn;
 }
 
+/// Two equal angles, sine and cosine each rounded once, may differ by this much in the sine of half their difference.
+inline constexpr double same_orientation_tolerance = 0x1p-52;
+
+/// Whether two poses have the same orientation, up to rounding the data once.
+inline bool same_orientation(const Pose& a, const Pose& b) {
+  const double norms = (a.X3 * a.X3 + a.X4 * a.X4) * (b.X3 * b.X3 + b.X4 * b.X4), s = relative_turn<double>(a, b).X3;
+  return s * s <= same_orientation_tolerance * same_orientation_tolerance * norms;
+}
+
 struct AnchorChoice {
   Anchor anchor;
   bool equal_poses = false;    ///< two poses coincide (same origin, same orientation up to rounding)
@@ -145,6 +154,7 @@ template <class T>
 struct AnchoredPivots {
   T K0;
   Vector<T, 2> moving, fixed, K, u;  ///< moving is not finite for RP, fixed not for PR
+  T by_K, by_u;                      ///< the denominators of moving and of fixed
 };
 
 template <class T>
@@ -157,7 +167,9 @@ AnchoredPivots<T> decode_pivots(const Anchored<T>& w, const Anchor& anchor) {
           {T((K0 * u1 + K1 * v1 + K2 * v2) / by_K), T((K0 * u2 + K2 * v1 - K1 * v2) / by_K)},
           {T((K0 * K1 + u1 * v1 - u2 * v2) / by_u), T((K0 * K2 + u1 * v2 + u2 * v1) / by_u)},
           {K1, K2},
-          {u1, u2}};
+          {u1, u2},
+          by_K,
+          by_u};
 }
 
 }  // namespace burmester::planar

@@ -10,7 +10,6 @@ namespace {
 
 Vector2 to_double(const auto& v) { return {static_cast<double>(v[0]), static_cast<double>(v[1])}; }
 
-
 struct Slider {
   const char* type;
   Line line;
@@ -53,6 +52,19 @@ std::optional<Slider> best_slider(const Vector2& moving, const Vector2& fixed, F
   return a;
 }
 
+/// Pivots 2^31 lengths of the task away or farther: rounding may put them anywhere, and the circle of a task length
+/// leaves its line by less than 2^-34 of it.
+struct FarPivots {
+  bool fixed, moving;
+};
+template <class T>
+FarPivots far_pivots(const Anchored<T>& w, const Anchor& anchor) {
+  const T e(anchor.turn), least = w.cwiseAbs().maxCoeff() * T(0x1p-32);
+  const Vector<T, 3> for_fixed{w[0], w[3], w[4]};                                          // K0, U
+  const Vector<T, 3> for_moving{w[0], T(e * w[1] - 2 * w[3]), T(e * w[2] - 2 * w[4])};  // K0, e K
+  return {for_fixed.cwiseAbs().maxCoeff() <= least, for_moving.cwiseAbs().maxCoeff() <= least};
+}
+
 }  // namespace
 
 template <class T>
@@ -67,10 +79,14 @@ Found<Dyads::Design> classify(const Anchored<T>& w, const Anchor& anchor, FivePo
   const Vector2 fixed = to_double(Vector<T, 2>(pivots.fixed * length));
   const double radius = static_cast<double>(T((pivots.moving - pivots.fixed).norm() * length));
 
+  const FarPivots far = far_pivots(w, anchor);
   Found<Dyads::Design> found;
   std::optional<Slider> slider;
-  if (!(radius <= task_size)) slider = best_slider(moving, fixed, poses, reference);
-  if (slider && slider->departure <= threshold * task_size) {
+  if (far.fixed != far.moving)
+    slider = far.fixed ? PR_through(moving, poses, reference) : RP_through(fixed, poses, reference);
+  else if (!(radius <= task_size))
+    slider = best_slider(moving, fixed, poses, reference);
+  if (slider && (far.fixed != far.moving || slider->departure <= threshold * task_size)) {
     found.departure = slider->departure;
     if (slider->type[0] == 'P')
       found.design = PR::Design{moving, slider->line};

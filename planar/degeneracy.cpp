@@ -8,10 +8,6 @@
 namespace burmester::planar {
 namespace {
 
-bool same_orientation(const Pose& a, const Pose& b) {
-  return std::abs(relative_turn<double>(a, b).X3) <= same_orientation_tolerance;
-}
-
 /// "2 and 4 are equal", and how many different poses there are.
 std::string name_equal_poses(FivePoses poses) {
   std::vector<std::string> groups;
@@ -26,11 +22,11 @@ std::string name_equal_poses(FivePoses poses) {
         seen[j] = true, group.push_back(j + 1);
     if (group.size() > 1) groups.push_back(fmt::format("{}", fmt::join(group, " and ")));
   }
-  static constexpr const char* family[] = {"", "every dyad meets it", "a three-dimensional family of dyads",
-                                           "a two-dimensional family of dyads",
-                                           "a curve of dyads (circle points and centre points)"};
-  return fmt::format("poses {} are equal: in effect {} pose{}, met by {}", fmt::join(groups, ", "), different,
-                     different == 1 ? "" : "s", different == 1 ? "every dyad" : family[different]);
+  static constexpr const char* family[] = {"", "met by every dyad", "in general met by a three-dimensional family of dyads",
+                                           "in general met by a two-dimensional family of dyads",
+                                           "in general met by a curve of dyads (circle points and centre points)"};
+  return fmt::format("poses {} are equal: in effect {} pose{}, {}", fmt::join(groups, ", "), different,
+                     different == 1 ? "" : "s", family[different]);
 }
 
 std::string plural(int n, const char* one, const char* many) { return fmt::format("{} {}", n, n == 1 ? one : many); }
@@ -65,6 +61,12 @@ Verdict verdict(FivePoseCase what, FivePoses poses, int real, const std::string&
                     fmt::format("the poses have two orientations only (3 + 2): two of the four dyads lie at infinity, {}",
                                 real > 0 ? plural(real, "real dyad remains", "real dyads remain")
                                          : "and of the other two none is real"));
+    case FivePoseCase::two_orientations_in_line: {
+      Verdict out{Status::none, {std::nullopt, std::nullopt, 0, false}, ""};
+      out.message =
+          "no finite dyad exists: the poses have two orientations only (3 + 2), and the three parallel ones lie on a line";
+      return out;
+    }
     case FivePoseCase::common_vertex: return finite(4, real, "one dyad, a solution of multiplicity four");
     case FivePoseCase::four_parallel: {
       Verdict out{Status::none, {std::nullopt, std::nullopt, 0, false}, ""};

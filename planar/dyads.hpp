@@ -12,3 +12,6 @@ namespace burmester::planar {
 using Dyads = DyadList<RR, PR, RP, PP>;
 
 }  // namespace burmester::planar
+
+// A dyad type with a lifted form is one whose family is complete: nobody may see the list without it.
+#include "burmester/planar/family.hpp"

@@ -1,195 +1,25 @@
 #include "burmester/planar/five_pose_certificate.hpp"
 
-#include <limits>
+#include <optional>
 
 #include "burmester/geometry/conic_count.hpp"
 #include "burmester/geometry/interval.hpp"
-#include "burmester/geometry/krawczyk.hpp"
 #include "burmester/geometry/null_space.hpp"
 #include "burmester/geometry/rational_interval.hpp"
-#include "burmester/modules/framework/report.hpp"
+#include "burmester/planar/five_pose_enclosure.hpp"
 #include "burmester/planar/five_pose_oracle.hpp"
 
 namespace burmester::planar {
 namespace {
 
-/// The two conics, enclosed.
+/// The number of real dyads, nothing where T cannot tell: the rank is not proved to be four, the conics have a common
+/// point of higher multiplicity, or a sign is not known.
 template <class T>
-std::array<Conic<T>, 2> conics_of(FivePoses poses, const Anchor& anchor) {
-  return relation_conics(null_space(anchored_rows<T>(poses, anchor)).basis, T(anchor.turn));
-}
-
-/// The four equations in (U, G) with K0 = 1: row . (1, G, U, e G.U - 2 |U|^2, U x G) = 0.
-template <class T>
-struct FinitePivots {
-  static constexpr int size = 4;
-  Matrix<T, 4, 7> rows;
-  T e;
-
-  Vector<T, 4> value(const Vector<T, 4>& x) const {
-    const T V1 = e * (x[2] * x[0] + x[3] * x[1]) - T(2) * (x[0] * x[0] + x[1] * x[1]), V2 = x[0] * x[3] - x[1] * x[2];
-    Vector<T, 4> f;
-    for (int j = 0; j < 4; ++j)
-      f[j] = rows(j, 0) + rows(j, 1) * x[2] + rows(j, 2) * x[3] + rows(j, 3) * x[0] + rows(j, 4) * x[1] +
-             rows(j, 5) * V1 + rows(j, 6) * V2;
-    return f;
-  }
-  Matrix<T, 4, 4> jacobian(const Vector<T, 4>& x) const {
-    const T K1 = e * x[2] - T(4) * x[0], K2 = e * x[3] - T(4) * x[1];
-    Matrix<T, 4, 4> J;
-    for (int j = 0; j < 4; ++j) {
-      J(j, 0) = rows(j, 3) + rows(j, 5) * K1 + rows(j, 6) * x[3];
-      J(j, 1) = rows(j, 4) + rows(j, 5) * K2 - rows(j, 6) * x[2];
-      J(j, 2) = rows(j, 1) + rows(j, 5) * (e * x[0]) - rows(j, 6) * x[1];
-      J(j, 3) = rows(j, 2) + rows(j, 5) * (e * x[1]) + rows(j, 6) * x[0];
-    }
-    return J;
-  }
-};
-
-template <class I>
-Range range_of(const I& x) {
-  return {lower(x), upper(x)};
-}
-
-/// The square root of a non-negative range, with ends moved outward by one step.
-Range root_of(const Range& square) {
-  const double infinity = std::numeric_limits<double>::infinity();
-  const double low = std::sqrt(std::max(0.0, square.low)), high = std::sqrt(square.high);
-  return {std::max(0.0, std::nextafter(low, -infinity)), std::nextafter(high, infinity)};
-}
-
-template <class I>
-std::array<Range, 2> rotated_back(const Vector<I, 2>& p, const Pose& reference) {
-  const I s(reference.X3), c(reference.X4), n = s * s + c * c, cosine = (c * c - s * s) / n, sine = I(2.0) * s * c / n;
-  return {range_of(I(cosine * p[0] + sine * p[1])), range_of(I(cosine * p[1] - sine * p[0]))};
-}
-
-/// All seven unknowns, one of them 1: the four rows and the two relations. Pivots may be at infinity.
-template <class T>
-struct AnyPivots {
-  static constexpr int size = 6;
-  Matrix<T, 4, 7> rows;
-  T e;
-  int chart = 0;
-
-  Anchored<T> w(const Vector<T, 6>& x) const {
-    Anchored<T> out;
-    for (int k = 0, i = 0; k < 7; ++k) out[k] = k == chart ? T(1) : x[i++];
-    return out;
-  }
-  Vector<T, 6> value(const Vector<T, 6>& x) const {
-    const Anchored<T> at = w(x);
-    Vector<T, 6> f;
-    for (int j = 0; j < 4; ++j) {
-      f[j] = rows(j, 0) * at[0];
-      for (int k = 1; k < 7; ++k) f[j] += rows(j, k) * at[k];
-    }
-    const std::array<T, 2> relations = anchored_relations(at, e);
-    f[4] = relations[0], f[5] = relations[1];
-    return f;
-  }
-  Matrix<T, 6, 6> jacobian(const Vector<T, 6>& x) const {
-    const Anchored<T> v = w(x);
-    const T zero(0);
-    const std::array<T, 7> first{v[5], T(-(e * v[3])), T(-(e * v[4])), T(T(4) * v[3] - e * v[1]),
-                                 T(T(4) * v[4] - e * v[2]), v[0], zero};
-    const std::array<T, 7> second{v[6], v[4], T(-v[3]), T(-v[2]), v[1], zero, v[0]};
-    Matrix<T, 6, 6> J;
-    for (int k = 0, c = 0; k < 7; ++k) {
-      if (k == chart) continue;
-      for (int j = 0; j < 4; ++j) J(j, c) = rows(j, k);
-      J(4, c) = first[static_cast<std::size_t>(k)], J(5, c) = second[static_cast<std::size_t>(k)];
-      ++c;
-    }
-    return J;
-  }
-};
-
-constexpr Range anything{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-
-template <class I>
-bool contains_zero(const I& x) {
-  return !(lower(x) > 0) && !(upper(x) < 0);
-}
-
-/// A proved root: all its w, and the dyads they decode to.
-template <class I>
-struct Enclosed {
-  Anchored<I> w;
-  DyadBox dyad;
-};
-
-/// Of (U, G) with K0 = 1: moving = U / e, fixed = moving - G / 2.
-template <class I>
-Enclosed<I> finite_dyad(const Vector<I, 4>& x, const I& e, const Anchor& anchor, const Pose& reference) {
-  const I L(anchor.length), per_e(unit_scale(anchor.turn)), half(0.5);
-  const Vector<I, 2> moving{I(L * per_e * x[0]), I(L * per_e * x[1])};
-  const I to_x = L * half * x[2], to_y = L * half * x[3];
-  Enclosed<I> out;
-  out.w[0] = I(1), out.w[1] = x[2], out.w[2] = x[3], out.w[3] = x[0], out.w[4] = x[1];
-  out.w[5] = e * (x[2] * x[0] + x[3] * x[1]) - I(2) * (x[0] * x[0] + x[1] * x[1]);
-  out.w[6] = x[0] * x[3] - x[1] * x[2];
-  out.dyad.moving = rotated_back(moving, reference);
-  out.dyad.fixed = {range_of(I(moving[0] - to_x)), range_of(I(moving[1] - to_y))};
-  out.dyad.length = root_of(range_of(I(to_x * to_x + to_y * to_y)));
-  return out;
-}
-
-/// Of any w: each pivot where it is finite all over the box.
-template <class I>
-Enclosed<I> any_dyad(const Anchored<I>& w, const Anchor& anchor, const Pose& reference) {
-  Enclosed<I> out{w, {}};
-  const I e(unit_scale(anchor.turn)), L(anchor.length);
-  const I u1 = w[3] * e, u2 = w[4] * e, v1 = w[5] * e * e, v2 = w[6] * e;
-  const I K1 = w[1] - I(2) * u1, K2 = w[2] - I(2) * u2;
-  const I by_K = w[0] * w[0] + K1 * K1 + K2 * K2, by_u = I(-2) * (w[0] * w[0] + u1 * u1 + u2 * u2);
-  out.dyad.moving = out.dyad.fixed = {anything, anything};
-  out.dyad.length = {0, anything.high};
-  if (!contains_zero(by_K)) {
-    const Vector<I, 2> p{I(L * (w[0] * u1 + K1 * v1 + K2 * v2) / by_K), I(L * (w[0] * u2 + K2 * v1 - K1 * v2) / by_K)};
-    out.dyad.moving = rotated_back(p, reference);
-  }
-  if (!contains_zero(by_u))
-    out.dyad.fixed = {range_of(I(L * (w[0] * K1 + u1 * v1 - u2 * v2) / by_u)),
-                      range_of(I(L * (w[0] * K2 + u1 * v2 + u2 * v1) / by_u))};
-  if (!contains_zero(w[0])) {
-    const I half(0.5), x = L * half * w[1] / w[0], y = L * half * w[2] / w[0];
-    out.dyad.length = root_of(range_of(I(x * x + y * y)));
-  }
-  return out;
-}
-
-/// Whether no point of P^6 has representatives in both boxes: some 2 x 2 minor is not 0.
-template <class I>
-bool different(const Anchored<I>& a, const Anchored<I>& b) {
-  for (int i = 0; i < 7; ++i)
-    for (int j = i + 1; j < 7; ++j)
-      if (!contains_zero(I(a[i] * b[j] - a[j] * b[i]))) return true;
-  return false;
-}
-
-/// One root in its box: as finite pivots where K0 is not small beside the rest, as a point of P^6 otherwise.
-template <class I>
-std::optional<Enclosed<I>> enclose_root(const Anchored<double>& w, const Matrix<I, 4, 7>& rows, const Anchor& anchor,
-                                        const Pose& reference) {
-  const I e(anchor.turn);
-  int chart = 0;
-  for (int k = 1; k < 7; ++k)
-    if (std::abs(w[k]) > std::abs(w[chart])) chart = k;
-  if (std::abs(w[0]) > 1e-5 * std::abs(w[chart])) {
-    const Vector<double, 4> start(w[3] / w[0], w[4] / w[0], w[1] / w[0], w[2] / w[0]);
-    if (const auto box = krawczyk<I>(FinitePivots<I>{rows, e}, start))
-      return finite_dyad(box->template hull<I>(), e, anchor, reference);
-    return std::nullopt;
-  }
-  const AnyPivots<I> system{rows, e, chart};
-  Vector<double, 6> start;
-  for (int k = 0, i = 0; k < 7; ++k)
-    if (k != chart) start[i++] = w[k] / w[chart];
-  if (const auto box = krawczyk<I>(system, start))
-    return any_dyad(system.w(box->template hull<I>()), anchor, reference);
-  return std::nullopt;
+std::optional<int> count_over(FivePoses poses, const Anchor& anchor) {
+  const NullSpace<T, 4, 7> null = null_space(anchored_rows<T>(poses, anchor));
+  if (anchor.turn == 0 || !(null.smallest_pivot() > 0)) return std::nullopt;
+  const std::array<Conic<T>, 2> conics = relation_conics(null.basis, T(anchor.turn));
+  return count_common_points(conics[0], conics[1]);
 }
 
 /// Disjoint boxes for all roots; false where one cannot be proved.
@@ -200,10 +30,10 @@ bool enclose(FivePoses poses, Rung rung, CertifiedRoots& out) {
   std::array<Anchored<I>, 4> found;
   for (std::size_t i = 0; i < static_cast<std::size_t>(out.roots.count); ++i) {
     const auto root =
-        enclose_root<I>(out.roots.w[i], rows, anchor, poses[static_cast<std::size_t>(anchor.reference)]);
+        detail::enclose_root<I>(out.roots.w[i], rows, anchor, poses[static_cast<std::size_t>(anchor.reference)]);
     if (!root) return false;
     for (std::size_t j = 0; j < i; ++j)
-      if (!different(found[j], root->w)) return false;
+      if (!detail::different(found[j], root->w)) return false;
     found[i] = root->w;
     out.boxes[i] = root->dyad;
     out.boxes[i].rung = rung;
@@ -211,33 +41,37 @@ bool enclose(FivePoses poses, Rung rung, CertifiedRoots& out) {
   return true;
 }
 
-bool certify_with_intervals(FivePoses poses, CertifiedRoots& out) {
-  const UpwardRounding upward;
-  const std::array<Conic<Interval>, 2> conics = conics_of<Interval>(poses, out.roots.anchor);
-  const std::optional<int> count = count_common_points(conics[0], conics[1]);
-  if (!count || *count != out.roots.count) return false;
-  out.count_rung = Rung::intervals;
-  return enclose<Interval>(poses, Rung::intervals, out);
-}
-
 void take_quad_roots(FivePoses poses, CertifiedRoots& out) {
   const FivePoseRoots<Quad> quad = five_pose_roots_quad(poses);
+  if (quad.count != out.count) return;
   out.roots.count = quad.count;
   for (std::size_t i = 0; i < static_cast<std::size_t>(quad.count); ++i)
     out.roots.w[i] = quad.w[i].template cast<double>();
 }
 
-bool certify_exactly(FivePoses poses, CertifiedRoots& out) {
-  const int count = count_exactly(poses);
-  if (count < 0) return false;
-  if (count != out.roots.count) take_quad_roots(poses, out);
-  if (count != out.roots.count) return false;
-  out.count_rung = Rung::exact;
-  {
-    const UpwardRounding upward;
-    if (enclose<Interval>(poses, Rung::intervals, out)) return true;
+/// The proved number of real dyads, by intervals or exactly; -1 where there is none.
+void prove_count(FivePoses poses, CertifiedRoots& out) {
+  out.count = count_by_intervals(poses);
+  if (out.count >= 0) {
+    out.count_rung = Rung::intervals;
+    return;
   }
-  return enclose<RationalInterval>(poses, Rung::exact, out);
+  out.count = count_exactly(poses);
+  if (out.count >= 0) out.count_rung = Rung::exact;
+}
+
+bool enclose_with_intervals(FivePoses poses, CertifiedRoots& out) {
+  const UpwardRounding upward;
+  return enclose<Interval>(poses, Rung::intervals, out);
+}
+
+/// Boxes for as many roots as are proved to exist; first those of the fast solver, then those of quad precision.
+bool prove_boxes(FivePoses poses, CertifiedRoots& out) {
+  if (out.count < 0) return false;
+  if (out.roots.count == out.count && enclose_with_intervals(poses, out)) return true;
+  take_quad_roots(poses, out);
+  if (out.roots.count != out.count) return false;
+  return enclose_with_intervals(poses, out) || enclose<RationalInterval>(poses, Rung::exact, out);
 }
 
 }  // namespace
@@ -246,42 +80,20 @@ CertifiedRoots certified_five_pose_roots(FivePoses poses) {
   CertifiedRoots out;
   out.roots = five_pose_roots(poses);
   if (out.roots.what != FivePoseCase::regular) return out;
-  out.complete = certify_with_intervals(poses, out) || certify_exactly(poses, out);
+  prove_count(poses, out);
+  out.complete = prove_boxes(poses, out);
   if (!out.complete) out.boxes = {};
   return out;
-}
-
-double error_bound(const Dyads::Design& shown, const DyadBox& box, FivePoses poses, const Anchor& anchor) {
-  const UpwardRounding upward;
-  const Pose& reference = poses[static_cast<std::size_t>(anchor.reference)];
-  const auto off = [](double value, double origin, const Range& range) {
-    return magnitude(Interval(Interval(value) - (Interval(origin) + Interval(range.low, range.high))));
-  };
-  const auto moving = [&](const Vector2& p) { return std::max(off(p[0], 0, box.moving[0]), off(p[1], 0, box.moving[1])); };
-  const auto fixed = [&](const Vector2& p) {
-    return std::max(off(p[0], reference.x, box.fixed[0]), off(p[1], reference.y, box.fixed[1]));
-  };
-  // A pivot that is off by r is off by at most sqrt(2) r in the plane, and its places leave the line by that much more.
-  constexpr double diagonal = 1.4142135623730952;
-  if (const auto* rr = std::get_if<RR::Design>(&shown))
-    return std::max({moving(rr->moving), fixed(rr->fixed), off(rr->length, 0, box.length)});
-  if (const auto* pr = std::get_if<PR::Design>(&shown))
-    return diagonal * moving(pr->moving) + largest_residual<PR>(*pr, poses);
-  if (const auto* rp = std::get_if<RP::Design>(&shown))
-    return diagonal * fixed(rp->fixed) + largest_residual<RP>(*rp, poses);
-  return std::numeric_limits<double>::infinity();
 }
 
 int count_by_intervals(FivePoses poses) {
   const Anchor anchor = choose_anchor(poses).anchor;
   const UpwardRounding upward;
-  const std::array<Conic<Interval>, 2> conics = conics_of<Interval>(poses, anchor);
-  return count_common_points(conics[0], conics[1]).value_or(-1);
+  return count_over<Interval>(poses, anchor).value_or(-1);
 }
 
 int count_exactly(FivePoses poses) {
-  const std::array<Conic<Rational>, 2> conics = conics_of<Rational>(poses, choose_anchor(poses).anchor);
-  return count_common_points(conics[0], conics[1]).value_or(-1);
+  return count_over<Rational>(poses, choose_anchor(poses).anchor).value_or(-1);
 }
 
 }  // namespace burmester::planar

@@ -3,22 +3,18 @@
 // Intervals first: the rows, the null space and the two conics of the anchored equations enclose those of the exact
 // data; Krawczyk's test gives a box for each root, and the number of real common points of the conics follows from the
 // inertia of one 3 x 3 matrix (geometry/conic_count.hpp). Where intervals cannot decide, the same formulas run over
-// rationals; then the number of real dyads is exact whatever the fast solver found, and the roots are those of quad
-// precision, enclosed with rational intervals.
+// rationals; the number of real dyads is then exact whatever the fast solver found. Where that was wrong, or its roots
+// cannot be enclosed, the roots of quad precision are taken, enclosed with rational intervals if need be.
 #pragma once
 
 #include <array>
 
+#include "burmester/geometry/range.hpp"
 #include "burmester/modules/framework/certificate.hpp"
 #include "burmester/planar/dyads.hpp"
 #include "burmester/planar/five_pose_roots.hpp"
 
 namespace burmester::planar {
-
-/// An interval of doubles.
-struct Range {
-  double low = 0, high = 0;
-};
 
 /// Where a dyad provably is, as an RR: pivots seen from the reference pose's origin (moving: directions of E, fixed:
 /// directions of S) and the distance between them, length units of the poses. Ends may be infinite: a pivot that may
@@ -32,16 +28,17 @@ struct DyadBox {
 struct CertifiedRoots {
   FivePoseRoots<double> roots;   ///< the roots to be listed: corrected where the fast solver's count was wrong
   std::array<DyadBox, 4> boxes;  ///< box of root i
-  bool complete = false;         ///< the number of real dyads is proved to be roots.count, and all boxes are disjoint
-  Rung count_rung = Rung::none;  ///< what proved the number
+  int count = -1;                ///< the proved number of real dyads; -1: not proved
+  Rung count_rung = Rung::none;  ///< what proved it
+  bool complete = false;         ///< count is proved, and so many disjoint boxes are
 };
 
 /// For any five poses; degenerate ones come back as they were found, with nothing proved.
 CertifiedRoots certified_five_pose_roots(FivePoses poses);
 
-/// Largest error of the coordinates and the length that `shown` states (pivots as in results), given that the dyad is in
-/// the box; for a slider the largest distance of the true pivot's five places from the line shown is part of it.
-/// Infinite where the box does not say.
+/// Largest error of what `shown` states (pivots, length, line as in results; length units and radians), given that the
+/// dyad is in the box. The line of a slider stands for the five true places of its pivot: its angle is off by at most
+/// what their distances from the line allow over their spread. Infinite where the box does not say.
 double error_bound(const Dyads::Design& shown, const DyadBox& box, FivePoses poses, const Anchor& anchor);
 
 /// The interval rung alone: 0, 2 or 4 real dyads, -1 where intervals cannot tell. For tests and benchmarks.

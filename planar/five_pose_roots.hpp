@@ -21,6 +21,7 @@ enum class FivePoseCase {
   translation,        ///< one orientation, and the origins lie on a circle or line: every point is a moving pivot
   four_parallel,      ///< four orientations equal, one not: no finite dyad
   two_orientations,   ///< orientations 3 + 2: two of the four roots are the pair of orientations, two are dyads
+  two_orientations_in_line,  ///< the same, and the three origins lie on a line: no finite dyad
   rotation,           ///< rotations about one point: a surface of dyads
   rank_deficient,     ///< rank below four otherwise
   common_line,        ///< a one-parameter family of dyads (Cardan motion: PR dyads) and at most one other
@@ -37,7 +38,7 @@ struct FivePoseRoots {
   Anchored<T> family;                   ///< common_line: a member of the family
   double smallest_pivot = 0;            ///< of the elimination, relative to the largest
   double pencil_size = 0;               ///< largest coefficient of the pencil's cubic; 0: a degenerate pencil
-  double discriminant = 0;              ///< of that cubic, relative: 0 where two roots coincide
+  double discriminant = 0;              ///< of that cubic (3 + 2: of the line pair), relative: 0 where two roots coincide
   double rounding = 0;                  ///< below this |discriminant| the count may be off by two
 };
 
@@ -45,8 +46,6 @@ struct FivePoseRoots {
 /// AnchorChoice::noise over the pivot that amplifies it, times this factor for the additions in between. In 100,000
 /// tasks of each class the quotient was at most 21 for degenerate and at least 180,000 for the other tasks.
 inline constexpr double noise_factor = 256;
-/// Two equal angles, sine and cosine each rounded once, may differ by this much in X3 X4' - X4 X3'.
-inline constexpr double same_orientation_tolerance = 0x1p-52;
 
 FivePoseRoots<double> five_pose_roots(FivePoses poses);
 

@@ -51,7 +51,8 @@ std::string type_of(const Dyads::Design& design) {
 }
 
 void warn_of_merging(const auto& roots, PlanarReport& report) {
-  if (roots.what == FivePoseCase::regular && std::abs(roots.discriminant) < roots.rounding)
+  const bool finite = roots.what == FivePoseCase::regular || roots.what == FivePoseCase::two_orientations;
+  if (finite && std::abs(roots.discriminant) < roots.rounding)
     report.warnings.push_back(
         "two dyads merge within rounding of the data: the number of real dyads may be off by two");
 }
@@ -66,13 +67,19 @@ void attach(const CertifiedRoots& certified, int i, FivePoses poses, PlanarRepor
 }
 
 void state_proof(const CertifiedRoots& certified, PlanarReport& report) {
+  if (certified.count >= 0 && certified.count != certified.roots.count)
+    report.warnings.push_back(
+        fmt::format("{} real dyads are proved to exist, but {} were found", certified.count, certified.roots.count));
   report.counts.certified =
       certified.complete && std::all_of(report.dyads.begin(), report.dyads.end(),
                                         [](const auto& found) { return found.certificate.certified; });
   if (!report.counts.certified) return;
   double radius = 0;
   for (const auto& found : report.dyads) radius = std::max(radius, found.certificate.radius);
-  report.message += report.dyads.empty() ? ", proved" : fmt::format(", proved complete, true to {:.0e}", radius);
+  if (report.dyads.empty())
+    report.message += ", proved";
+  else
+    report.message += fmt::format(", proved complete, true to {:.0e}", 1.5 * radius);  // printed: never below radius
 }
 
 template <class T>

@@ -20,7 +20,7 @@ struct FivePoseSolver {
   PlanarReport solve(std::span<const Pose> poses) const;
 };
 
-/// The same in quad precision, about a hundred times slower: what tests hold the direct solver against.
+/// The same in quad precision, about sixty times as slow: what tests hold the direct solver against.
 struct FivePoseOracle {
   using Pose = planar::Pose;
   using Dyads = planar::Dyads;

@@ -19,17 +19,25 @@ struct Pencil {
     return out;
   }
 
-  /// One Newton step on the relations in P^2 (the correction is orthogonal to z). The residuals are evaluated from
-  /// w, where they cancel less than in the conics.
+  /// The relations at w(z), scaled like the conics. They cancel less than the conics do.
+  std::array<T, 2> residual(const Point2<T>& z) const {
+    const std::array<T, 2> f = anchored_relations(w(z), e);
+    return {T(f[0] * a_scale), T(f[1] * b_scale)};
+  }
+
+  /// One Newton step on the relations in P^2 (the correction is orthogonal to z). Near a double root, where rounding
+  /// makes the step, only as far as it helps.
   Point2<T> improved(const Point2<T>& z) const {
-    std::array<T, 2> f = anchored_relations(w(z), e);
-    f[0] *= a_scale, f[1] *= b_scale;
+    const std::array<T, 2> f = residual(z);
     const Vector<T, 3> ga = a.gradient(z), gb = b.gradient(z), across = gb.cross(z);
     const T determinant = ga.dot(across);
     if (determinant == 0) return z;
     const Vector<T, 3> step = (f[0] * across + f[1] * z.cross(ga)) / determinant;
-    if (!(step.squaredNorm() < z.squaredNorm() * T(0.25))) return z;  // not near a simple root
-    return z - step;
+    const T size = step.squaredNorm() / z.squaredNorm();
+    if (size < T(0x1p-40)) return z - step;
+    if (!(size < T(0.25))) return z;
+    const std::array<T, 2> after = residual(z - step);
+    return after[0] * after[0] + after[1] * after[1] < f[0] * f[0] + f[1] * f[1] ? Point2<T>(z - step) : z;
   }
 };
 
@@ -49,36 +57,47 @@ inline std::array<int, 5> orientation_classes(FivePoses poses) {
   for (int i = 0; i < 5; ++i) {
     if (seen[i]) continue;
     for (int j = i; j < 5; ++j)
-      if (!seen[j] && std::abs(relative_turn<double>(poses[i], poses[j]).X3) <= same_orientation_tolerance)
+      if (!seen[j] && same_orientation(poses[i], poses[j]))
         seen[j] = true, ++size[i];
   }
   std::sort(size.begin(), size.end(), std::greater<>());
   return size;
 }
 
-/// 3 + 2 orientations: the pair of orientations w0 = (0, .., V1, V2) is a root of multiplicity two, at which
-/// V2 A - V1 B is singular. Its two lines through w0 carry the other two roots.
+/// The pair of orientations of a 3 + 2 task, w0 = (0, .., V1, V2), as V1 and V2.
 template <class T>
-void two_orientation_roots(FivePoses poses, const Pencil<T>& pencil, FivePoseRoots<T>& out) {
-  const Pose& reference = poses[out.anchor.reference];
-  T s(0), c(1);
+std::array<T, 2> orientation_pair(FivePoses poses, const Anchor& anchor, const T& e) {
+  const Pose& reference = poses[anchor.reference];
+  std::array<T, 2> out{e, T(0)};
   for (const Pose& pose : poses)
-    if (const auto turn = relative_turn<T>(reference, pose);
-        std::abs(approximate(turn.X3)) > same_orientation_tolerance)
-      s = turn.X3, c = turn.X4;
-  const T v1 = pencil.e * c, v2 = s;
+    if (!same_orientation(reference, pose)) {
+      const RelativeTurn<T> turn = relative_turn<T>(reference, pose);
+      out = {T(e * turn.X4), turn.X3};
+    }
+  return out;
+}
+
+/// 3 + 2 orientations: w0 is a root of multiplicity two, at which V2 A - V1 B is singular. Its two lines through w0
+/// carry the other two roots.
+template <class T>
+void two_orientation_roots(FivePoses poses, const Pencil<T>& pencil, double tolerance, FivePoseRoots<T>& out) {
+  out.what = FivePoseCase::two_orientations;
+  const auto [v1, v2] = orientation_pair(poses, out.anchor, pencil.e);
   Anchored<T> w0 = Anchored<T>::Zero();
   w0[5] = v1, w0[6] = v2;
   Point2<T> z0;
   for (int g = 0; g < 3; ++g) z0[g] = w0[pencil.null.free[g]];
-  const LinePair<T> lines =
-      burmester::detail::split(pencil_member(pencil.a, T(v2 * pencil.b_scale), pencil.b, T(-v1 * pencil.a_scale)));
+  const Conic<T> at_w0 =
+      pencil_member(pencil.a, T(v2 * pencil.b_scale), pencil.b, T(-v1 * pencil.a_scale));
+  const LinePair<T> lines = burmester::detail::split(at_w0);
+  const double size = size_of(at_w0);
+  out.discriminant = approximate(lines.separation) / (size * size);
+  out.rounding = tolerance / size;
   if (!(lines.separation > 0)) return;
+  const Conic<T>& q = pencil.a.gradient(z0).squaredNorm() > pencil.b.gradient(z0).squaredNorm() ? pencil.a : pencil.b;
   for (const LinearForm<T>& line : {lines.first, lines.second}) {
     const Point2<T> v = line.cross(z0).normalized();
-    const Conic<T>& q = pencil.a.gradient(z0).squaredNorm() > pencil.b.gradient(z0).squaredNorm() ? pencil.a : pencil.b;
-    const Point2<T> z = (-q(v)) * z0 + q.polar(z0, v) * v;
-    add_root(out, pencil, z);
+    add_root(out, pencil, Point2<T>((-q(v)) * z0 + q.polar(z0, v) * v));
   }
 }
 
@@ -98,7 +117,13 @@ FivePoseCase parallel_case(FivePoses poses, const AnchorChoice& choice) {
   return dependent ? FivePoseCase::translation : FivePoseCase::all_parallel;
 }
 
-/// The conics share a component: find which, and the isolated root if there is one.
+/// Whether w is a pair of orientations: K0 = G = U = 0 to within the tolerance.
+template <class T>
+bool is_orientation_pair(const Anchored<T>& w, double tolerance) {
+  return approximate(T(w.template head<5>().cwiseAbs().maxCoeff())) <= tolerance * approximate(T(w.cwiseAbs().maxCoeff()));
+}
+
+/// The conics share a component or a vertex: find which, and the isolated root if there is one.
 template <class T>
 void degenerate_pencil(const Pencil<T>& pencil, double tolerance, FivePoseRoots<T>& out) {
   const CommonPoints<T> common = degenerate_common_points(pencil.a, pencil.b, tolerance);
@@ -111,6 +136,11 @@ void degenerate_pencil(const Pencil<T>& pencil, double tolerance, FivePoseRoots<
     out.what = common.kind == PencilKind::same_conic ? FivePoseCase::whole_conic : FivePoseCase::common_vertex;
   }
   for (int i = 0; i < common.count; ++i) out.w[out.count++] = pencil.w(common.point[i]);
+  // The vertex is only known to the square root of the rounding where it is a double point of every member.
+  if (out.what == FivePoseCase::common_vertex && is_orientation_pair(out.w[0], std::sqrt(tolerance))) {
+    out.what = FivePoseCase::two_orientations_in_line;
+    out.count = 0;
+  }
 }
 
 /// Scales the conic to size 1 and returns the factor; a conic below the tolerance becomes zero.
@@ -122,16 +152,14 @@ T scale_to_one(Conic<T>& c, double tolerance) {
   return factor;
 }
 
-/// All rotations differ from the reference's in less than five classes, or the rank is deficient.
+/// Names the cases with at most two orientations among four poses; 3 + 2 only where the pencil is regular.
 template <class T>
-void special_orientations(FivePoses poses, const Pencil<T>& pencil, FivePoseRoots<T>& out) {
+void special_orientations(FivePoses poses, const Pencil<T>& pencil, double tolerance, FivePoseRoots<T>& out) {
   const std::array<int, 5> classes = orientation_classes(poses);
-  if (classes[0] == 4) {
+  if (classes[0] == 4)
     out.what = FivePoseCase::four_parallel;
-  } else if (classes[0] == 3 && classes[1] == 2) {
-    out.what = FivePoseCase::two_orientations;
-    two_orientation_roots(poses, pencil, out);
-  }
+  else if (classes[0] == 3 && classes[1] == 2 && out.pencil_size >= tolerance)
+    two_orientation_roots(poses, pencil, tolerance, out);
 }
 
 template <class T>
@@ -160,18 +188,19 @@ FivePoseRoots<T> solve(FivePoses poses) {
   pencil.a = conics[0], pencil.b = conics[1];
   const double amplified = tolerance / out.smallest_pivot;
   pencil.a_scale = scale_to_one(pencil.a, amplified), pencil.b_scale = scale_to_one(pencil.b, amplified);
-  if (choice.parallel_pair) {
-    special_orientations(poses, pencil, out);
-    if (out.what != FivePoseCase::regular) return out;
-  }
   const std::array<T, 4> cubic = pencil_determinant(pencil.a, pencil.b);
   for (const T& c : cubic) out.pencil_size = std::max(out.pencil_size, std::abs(approximate(c)));
-  if (out.pencil_size < amplified) {
-    degenerate_pencil(pencil, amplified, out);
-    return out;
+  if (choice.parallel_pair) {
+    special_orientations(poses, pencil, amplified, out);
+    if (out.what != FivePoseCase::regular) return out;
   }
   out.rounding = amplified / out.pencil_size;
   out.discriminant = approximate(relative_discriminant(cubic));
+  const bool triple_root_maybe = !(std::abs(out.discriminant) > out.rounding);
+  if (out.pencil_size < amplified || (triple_root_maybe && proportional(pencil.a, pencil.b, amplified))) {
+    degenerate_pencil(pencil, amplified, out);
+    return out;
+  }
   const CommonPoints<T> common = regular_common_points(pencil.a, pencil.b, cubic);
   for (int i = 0; i < common.count; ++i) add_root(out, pencil, common.point[i]);
   return out;

@@ -70,12 +70,17 @@ std::string class_of(const LinkageRecord& l, double tolerance) {
   return "translating coupler";
 }
 
-/// Rounding of the pivots: unit roundoffs of the lengths themselves, and of the task times the dyads' conditions.
+/// How far shortest + longest - the others can be off: twice the proved error of each dyad's pivots and length (a link
+/// has two ends), or, where nothing is proved, unit roundoffs of the task times the conditions (docs/concepts.md).
 double length_tolerance(const LinkageRecord& l, const AnyDyad& a, const AnyDyad& b, double task_size) {
   double lengths = 0;
   for (const auto& x : {l.ground, l.input, l.coupler, l.output}) lengths += x.value_or(0);
-  const double condition = a.condition.value_or(0) + b.condition.value_or(0);
-  return 16 * unit_roundoff * (lengths + condition * task_size);
+  double error = 16 * unit_roundoff * lengths;
+  for (const AnyDyad* d : {&a, &b})
+    error += d->certificate.certified && d->certificate.radius < task_size
+                 ? 5 * d->certificate.radius
+                 : 16 * unit_roundoff * d->condition.value_or(0) * task_size;
+  return error;
 }
 
 LinkageRecord link(const AnyDyad& a, const AnyDyad& b, std::string type, double task_size) {

@@ -25,7 +25,7 @@ ModuleInfo describe() {
   info.name = Space::name;
   info.origin = "built in";
   Dyads::for_each([&]<class D>() { info.dyad_types.push_back(D::name); });
-  info.solvers = describe_solvers<FivePoseSolver, FivePoseOracle>();
+  info.solvers = describe_solvers<FivePoseSolver>();
   info.csv_headers = {{"x", "y", "angle_deg"}, {"x", "y", "angle_rad"}};
   info.point_size = 2;
   return info;
@@ -65,6 +65,8 @@ bool only_searched(const Problem& problem) {
 PlanarReport solve(const Problem& problem, std::span<const Pose> poses) {
   if (!problem.fixed.empty() || !problem.moving.empty())
     throw NotAvailable("planar synthesis for given fixed or moving pivots");
+  if (const double size = planar::task_size(poses); size < 1e-100)
+    throw InputError(fmt::format("poses: expected origins that are equal or at least 1e-100 apart, got {}", size));
   PlanarReport report;
   if (only_searched(problem)) {
     report.message = "the types asked for are found by search, which is not complete";

@@ -11,6 +11,7 @@ ModuleInfo describe() {
   info.name = Space::name;
   info.origin = "built in";
   Dyads::for_each([&]<class D>() { info.dyad_types.push_back(D::name); });
+  info.type_aliases = {{"RP", "PR"}};  // a slider is its own inverse
   info.csv_headers = {{"qw", "qx", "qy", "qz"}};
   info.point_size = Space::feature_size;
   return info;
@@ -27,7 +28,9 @@ class SphericalModule final : public Module {
     return spherical::read_csv_pose(row);
   }
   std::vector<std::pair<std::string, double>> show_pose(const PoseData& data, const Units&) const override {
-    return {{"qw", data[0]}, {"qx", data[1]}, {"qy", data[2]}, {"qz", data[3]}};
+    // one name: files show the four as an array
+    const std::string name = "quaternion_wxyz";
+    return {{name, data[0]}, {name, data[1]}, {name, data[2]}, {name, data[3]}};
   }
   double task_size(const Problem&) const override { return 1; }
 

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <functional>
+#include <string>
+#include <vector>
 
 #include "burmester/modules/framework/registry.hpp"
 #include "program/console.hpp"

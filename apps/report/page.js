@@ -307,7 +307,7 @@ function fillTables() {
 }
 function certificate(d) {
   const c = d.certificate; if (!c) return null;
-  return c.certified ? h("span", { class: "num", title: `within ${c.radius} of the true dyad` }, isNumber(c.radius) ? `proved, ±${format(c.radius, 2)}` : "proved") : "not proved";
+  return c.certified ? h("span", { class: "num", title: `within ${c.radius} of the true dyad` }, isNumber(c.radius) ? `proved, ±${format(1.06 * c.radius, 2)}` : "proved") : "not proved";
 }
 function thumbnail(l) {
   const svg = s("svg", { class: "thumb", viewBox: "0 0 96 88", "aria-hidden": "true" }), shot = l.at_pose[0];

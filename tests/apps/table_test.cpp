@@ -46,7 +46,14 @@ TEST(AnswerText, ShowsEveryTypeOfDyad) {
   s.dyads[2].fixed = {6, 7};
   s.dyads[2].line = LineRecord{{8, 9}, 0};
   s.dyads[3].angle = 0.5;
-  s.linkages.push_back({1, {1, 2}, "RRRP", "slider-crank", {}, 1.5, 2, {}, 0.25, {}});
+  s.linkages.resize(1);
+  LinkageRecord& linkage = s.linkages.front();
+  linkage.id = linkage.dyads[0] = 1;
+  linkage.dyads[1] = 2;
+  linkage.type = "RRRP";
+  linkage.motion_class = "slider-crank";
+  linkage.input = 1.5;
+  linkage.offset = 0.25;
   const std::string text = answer_text(planar_problem(), s, 1);
   EXPECT_THAT(text, HasSubstr("a task\nplanar, 5 poses; lengths in mm, angles in deg\n4 real dyads\n"));
   EXPECT_THAT(text, HasSubstr("length, line or angle"));

@@ -200,6 +200,41 @@ TEST(DegeneratePencil, SharedLineThroughTheCommonPointOfTheOthers) {
   EXPECT_EQ(found.count, 0);
 }
 
+TEST(DegeneratePencil, SharedLineThatOneMemberHoldsTwice) {
+  Random random("DegeneratePencil.SharedLineThatOneMemberHoldsTwice");
+  for (int i = 0; i < 100; ++i) {
+    const QuadPoint shared = random_point(random), m = random_point(random);
+    const auto twice = rounded(line_pair(shared, shared)), once = rounded(line_pair(shared, m));
+    for (const auto& found : {degenerate_common_points(twice, once, tiny), degenerate_common_points(once, twice, tiny)}) {
+      ASSERT_EQ(found.kind, PencilKind::common_line) << "case " << i;
+      EXPECT_LT(apart(found.line, to_double(shared)), 1e-10) << "case " << i;
+      EXPECT_EQ(found.count, 0) << "case " << i;
+    }
+  }
+}
+
+TEST(DegeneratePencil, CommonVertexOfTwoDoubleLines) {
+  Random random("DegeneratePencil.CommonVertexOfTwoDoubleLines");
+  for (int i = 0; i < 100; ++i) {
+    const QuadPoint l = random_point(random), m = random_point(random);
+    const auto found = degenerate_common_points(rounded(line_pair(l, l)), rounded(line_pair(m, m)), tiny);
+    ASSERT_EQ(found.kind, PencilKind::common_vertex) << "case " << i;
+    EXPECT_LT(apart(found.point[0], to_double(l.cross(m))), 1e-10) << "case " << i;
+  }
+}
+
+// Their cubic is a third power, not zero: the caller must ask.
+TEST(Proportional, SeesMultiplesAndZeroOnly) {
+  Random random("Proportional.SeesMultiplesAndZeroOnly");
+  for (int i = 0; i < 100; ++i) {
+    Conic<double> a, b, c;
+    for (int k = 0; k < 6; ++k) a.q[k] = random.normal(), b.q[k] = -0.7 * a.q[k], c.q[k] = random.normal();
+    EXPECT_TRUE(proportional(a, b, tiny) && proportional(a, Conic<double>(), tiny));
+    EXPECT_FALSE(proportional(a, c, tiny));
+    EXPECT_LT(std::abs(relative_discriminant(pencil_determinant(a, b))), 512 * unit_roundoff) << "case " << i;
+  }
+}
+
 TEST(DegeneratePencil, ProportionalConics) {
   Random random("DegeneratePencil.ProportionalConics");
   for (int i = 0; i < 100; ++i) {

@@ -19,50 +19,45 @@ using ::testing::ElementsAre;
 using json = nlohmann::ordered_json;
 constexpr double pi = std::numbers::pi;
 
+DyadRecord dyad(int id, const char* type, std::vector<double> fixed, std::vector<double> moving) {
+  DyadRecord d;
+  d.id = id;
+  d.type = type;
+  d.fixed = std::move(fixed);
+  d.moving = std::move(moving);
+  return d;
+}
+
+LinkageRecord linkage(int id, int first, int second, const char* type, std::optional<double> input,
+                      std::optional<double> offset) {
+  LinkageRecord l;
+  l.id = id;
+  l.dyads[0] = first;
+  l.dyads[1] = second;
+  l.type = type;
+  l.input = input;
+  l.coupler = 3;
+  l.offset = offset;
+  return l;
+}
+
 /// Dyads 1 (PR), 2 (RR, long), 3 (RR, short), as an untidy module might give them, and every pair of them.
 Synthesis untidy() {
   Synthesis s;
   s.status = Status::exact;
   s.message = "3 real dyads";
   s.counts = {0, 4, 3, false};
-  s.dyads.resize(3);
-  s.dyads[0] = {.id = 1,
-                .type = "PR",
-                .fixed = {},
-                .moving = {1, -0.0},
-                .line = LineRecord{{0, 2}, pi / 2},
-                .length = {},
-                .arc = {},
-                .angle = {},
-                .condition = {},
-                .departure = 1e-12,
-                .slider = {}};
-  s.dyads[1] = {.id = 2,
-                .type = "RR",
-                .fixed = {1, 2},
-                .moving = {3, 4},
-                .line = {},
-                .length = 9,
-                .arc = {},
-                .angle = {},
-                .residual = 1e-15,
-                .condition = 100,
-                .departure = {},
-                .slider = SliderRecord{"PR", {{0, 1}, 0}, 0.5}};
-  s.dyads[2] = {.id = 3,
-                .type = "RR",
-                .fixed = {5, 6},
-                .moving = {7, 8},
-                .line = {},
-                .length = 6,
-                .arc = {},
-                .angle = {},
-                .condition = {},
-                .departure = {},
-                .slider = {}};
-  s.linkages.push_back({1, {2, 3}, "RRRR", "crank-rocker", 1, 2, 3, 4, {}, {}});
-  s.linkages.push_back({2, {3, 1}, "RRRP", {}, {}, 6, 3, {}, 0.25, {}});
-  s.linkages.push_back({3, {2, 1}, "RRRP", {}, {}, 9, 3, {}, 0.5, {}});
+  s.dyads = {dyad(1, "PR", {}, {1, -0.0}), dyad(2, "RR", {1, 2}, {3, 4}), dyad(3, "RR", {5, 6}, {7, 8})};
+  s.dyads[0].line = LineRecord{{0, 2}, pi / 2};
+  s.dyads[0].departure = 1e-12;
+  s.dyads[1].length = 9;
+  s.dyads[1].residual = 1e-15;
+  s.dyads[1].condition = 100;
+  s.dyads[1].slider = SliderRecord{"PR", {{0, 1}, 0}, 0.5};
+  s.dyads[2].length = 6;
+  s.linkages = {linkage(1, 2, 3, "RRRR", 2, {}), linkage(2, 3, 1, "RRRP", 6, 0.25),
+                linkage(3, 2, 1, "RRRP", 9, 0.5)};
+  s.linkages[0].motion_class = "crank-rocker";
   s.warnings = {"w2"};
   return s;
 }
@@ -146,6 +141,13 @@ TEST(ResultDocument, RefusesNumbersThatAreNone) {
   s = untidy();
   s.dyads[1].condition = std::numeric_limits<double>::infinity();  // nothing to tell
   EXPECT_FALSE(document_of(s)["dyads"][1].contains("condition"));
+}
+
+TEST(ResultDocument, ShowsTheRadiusOfAProof) {
+  Synthesis s = untidy();
+  s.dyads[1].certificate.certified = true;
+  s.dyads[1].certificate.radius = 1e-13;
+  EXPECT_EQ(json_line(document_of(s)["dyads"][1]["certificate"]), R"({"certified": true, "radius": 1e-13})");
 }
 
 TEST(ResultDocument, ShowsNullForUnknownCounts) {

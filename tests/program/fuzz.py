@@ -103,6 +103,15 @@ def mutant(problem):
     return changed_text(json.dumps(problem).encode())
 
 
+def far_off(document):
+    """Dyads called exact that are not met to 1e-7 of the largest number in sight."""
+    if document["status"] != "exact":
+        return []
+    shown = [abs(p[k]) for p in document["poses"] for k in ("x", "y") if k in p]
+    return [d for d in document["dyads"] if d["residual"] > 1e-7 * max(
+        shown + [abs(v) for k in ("fixed", "moving") for v in d.get(k, [])] + [d.get("length", 0), document["task_size"]])]
+
+
 class Fuzz(ProgramTest):
     def test_batch(self):
         problems = seeds()
@@ -118,6 +127,7 @@ class Fuzz(ProgramTest):
                 document = strict_json(reply)
                 validator.validate(document)
                 self.assertNotIn("internal failure", document["message"])
+                self.assertEqual(far_off(document), [])
             except (ValueError, AssertionError, jsonschema.ValidationError) as error:
                 self.fail(f"{line!r}\n{reply}\n{error}")
             seen[document["status"]] = seen.get(document["status"], 0) + 1

@@ -108,7 +108,7 @@ struct Plane {
 inline Plane random_plane(const std::vector<Lifted>& basis, Random& random) {
   const auto mixed = [&] {
     Lifted k = Lifted::Zero();
-    for (const Lifted& b : basis) k += Rational(random.below(19) - 9) * b;
+    for (const Lifted& b : basis) k += Rational(random.below(1999) - 999) * b;
     return k;
   };
   Plane plane{mixed(), mixed(), mixed(), {}};
@@ -116,15 +116,23 @@ inline Plane random_plane(const std::vector<Lifted>& basis, Random& random) {
   return plane;
 }
 
-/// Coordinates in which the resultant has degree 4 and no double root; where six draws give none, the last one.
+/// Number of different roots of the resultant over the complex numbers; 0 where coordinates or resultant are no good.
+inline std::size_t different_roots(const Plane& plane) {
+  const Polynomial p = polynomial(plane.on.resultant);
+  if (p.size() != 5 || p.front() == 0) return 0;
+  return p.size() - sturm_chain(p).back().size();
+}
+
+/// Of six random planes the first with four different roots, or else the one with most of them: no two common points
+/// are seen as one.
 inline Plane generic_plane(const std::vector<Lifted>& basis, Random& random) {
-  Plane plane = random_plane(basis, random);
-  for (int i = 0; i < 5; ++i) {
-    const Polynomial p = polynomial(plane.on.resultant);
-    if (p.size() == 5 && p.front() != 0 && sturm_chain(p).back().size() == 1) break;
-    plane = random_plane(basis, random);
+  Plane best = random_plane(basis, random);
+  std::size_t most = different_roots(best);
+  for (int i = 1; i < 6 && most < 4; ++i) {
+    Plane plane = random_plane(basis, random);
+    if (const std::size_t n = different_roots(plane); n > most) best = std::move(plane), most = n;
   }
-  return plane;
+  return best;
 }
 
 struct Solutions {

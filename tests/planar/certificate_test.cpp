@@ -1,0 +1,131 @@
+// The certificate against rational arithmetic and quad precision: the proved number is the exact one, the proved radius
+// holds, and nothing is claimed where nothing can be proved.
+#include <gtest/gtest.h>
+
+#include "burmester/planar/five_pose_certificate.hpp"
+#include "burmester/planar/five_pose_oracle.hpp"
+#include "burmester/planar/five_pose_solver.hpp"
+#include "exact_five_pose.hpp"
+#include "five_pose_accuracy.hpp"
+
+namespace burmester::planar {
+namespace {
+
+TEST(Certificate, EachRungCountsAsSturmDoes) {
+  for (const TaskClass& c : random_task_classes()) {
+    const std::string stream = "Certificate.EachRungCountsAsSturmDoes." + std::string(c.name);
+    Random random(stream), coordinates(stream + ".coordinates");
+    int decided = 0;
+    for (int i = 0; i < 20; ++i) {
+      const FivePoseTask task = c.make(random);
+      const int truth = static_cast<int>(exact::count_solutions(task, coordinates).real.distinct);
+      EXPECT_EQ(count_exactly(task), truth) << stream << ", task " << i;
+      const int by_intervals = count_by_intervals(task);
+      decided += by_intervals >= 0;
+      EXPECT_TRUE(by_intervals == truth || by_intervals == -1) << stream << ", task " << i << ": " << by_intervals;
+    }
+    EXPECT_GE(decided, 15) << stream << ": intervals should decide nearly all";
+  }
+}
+
+TEST(Certificate, IsCompleteOnRandomTasks) {
+  for (const TaskClass& c : random_task_classes()) {
+    const std::string stream = "Certificate.IsCompleteOnRandomTasks." + std::string(c.name);
+    Random random(stream);
+    const bool slider = c.name.starts_with("planted_P") || c.name.starts_with("planted_R");
+    for (int i = 0; i < 200; ++i) {
+      const CertifiedRoots proved = certified_five_pose_roots(c.make(random));
+      EXPECT_TRUE(proved.complete || slider) << stream << ", task " << i;
+      EXPECT_TRUE(!proved.complete || proved.count == proved.roots.count) << stream << ", task " << i;
+    }
+  }
+}
+
+/// The oracle's dyad nearest to the one shown is within the radius: every coordinate and length of an RR.
+void expect_within_radius(const FivePoseTask& task, const std::string& where) {
+  const PlanarReport report = FivePoseSolver().solve(task);
+  const FivePoseRoots<Quad> oracle = five_pose_roots_quad(task);
+  const Pose& reference = task[static_cast<std::size_t>(oracle.anchor.reference)];
+  for (const auto& found : report.dyads) {
+    const auto* rr = std::get_if<RR::Design>(&found.design);
+    if (!rr || !found.certificate.certified) continue;
+    Quad least = 1e300;
+    for (int k = 0; k < oracle.count; ++k) {
+      const Vector<Quad, 4> y = accuracy::detail::pivots<Quad>(oracle.w[static_cast<std::size_t>(k)], oracle.anchor, reference);
+      const Vector<Quad, 4> x{rr->moving[0], rr->moving[1], rr->fixed[0], rr->fixed[1]};
+      Quad most = 0;
+      for (int i = 0; i < 4; ++i) most = std::max(most, Quad(abs(Quad(x[i] - y[i]))));
+      least = std::min(least, most);
+    }
+    EXPECT_LE(static_cast<double>(least), found.certificate.radius) << where;
+    EXPECT_GT(found.certificate.radius, 0) << where;
+  }
+}
+
+TEST(Certificate, RadiusHoldsAgainstQuadPrecision) {
+  for (const TaskClass& c : random_task_classes()) {
+    const std::string stream = "Certificate.RadiusHoldsAgainstQuadPrecision." + std::string(c.name);
+    Random random(stream);
+    for (int i = 0; i < 200; ++i) expect_within_radius(c.make(random), stream + ", task " + std::to_string(i));
+  }
+}
+
+TEST(Certificate, RadiusOfAPlantedSliderCoversIt) {
+  const std::string stream = "Certificate.RadiusOfAPlantedSliderCoversIt";
+  Random random(stream);
+  int certified = 0;
+  for (int i = 0; i < 200; ++i) {
+    // poses that bring the point (m) of E exactly onto the X axis: the true dyad is PR with angle 0 up to their rounding
+    const Vector2 m{random.normal(), random.normal()};
+    FivePoseTask task;
+    for (Pose& p : task) {
+      p = pose_from_radians(0, 0, random.uniform(-3, 3));
+      const Vector2 at = to_fixed(p, m);
+      p.x = random.normal() - at[0], p.y = -at[1];
+    }
+    for (const auto& found : FivePoseSolver().solve(task).dyads) {
+      const auto* pr = std::get_if<PR::Design>(&found.design);
+      if (!pr || !found.certificate.certified) continue;
+      ++certified;
+      const double rounding = 1e-13 * (1 + *found.condition);  // the planted poses are rounded to 1e-16 of their size
+      EXPECT_LE((pr->moving - m).norm(), 2 * found.certificate.radius + rounding) << stream << ", task " << i;
+      EXPECT_LE(std::abs(std::remainder(pr->line.record().angle, 3.14159265358979)),
+                2 * found.certificate.radius + rounding)
+          << stream << ", task " << i;
+    }
+  }
+  EXPECT_GE(certified, 150) << stream;
+}
+
+TEST(Certificate, NothingIsClaimedOfDegeneratePoses) {
+  for (const TaskClass& c : degenerate_task_classes()) {
+    const std::string stream = "Certificate.NothingIsClaimedOfDegeneratePoses." + std::string(c.name);
+    Random random(stream);
+    for (int i = 0; i < 50; ++i) {
+      const FivePoseTask task = c.make(random);
+      const PlanarReport report = FivePoseSolver().solve(task);
+      EXPECT_FALSE(report.counts.certified) << stream << ", task " << i;
+      EXPECT_TRUE(report.status == Status::exact || report.message.find("proved") == std::string::npos) << stream;
+    }
+  }
+}
+
+TEST(Certificate, ExactlyDegeneratePosesAreNotCounted) {
+  const Pose a{0, 0, 0, 1}, b{1, 2, 0, 1}, c{3, 1, 0, 1}, d{-1, 4, 0, 1}, e{2, -2, 0, 1};
+  for (const FivePoseTask& task : {FivePoseTask{a, b, c, d, e}, FivePoseTask{a, a, b, {1, 2, 3, 4}, {2, 2, 1, 5}}}) {
+    EXPECT_EQ(count_by_intervals(task), -1);
+    EXPECT_EQ(count_exactly(task), -1);
+  }
+}
+
+TEST(Certificate, NoCertificateUnlessAskedFor) {
+  Random random("Certificate.NoCertificateUnlessAskedFor");
+  const FivePoseTask task = find_task_class("generic")->make(random);
+  EXPECT_TRUE(FivePoseSolver().solve(task).counts.certified);
+  const PlanarReport bare = FivePoseSolver{.certify = false}.solve(task);
+  EXPECT_FALSE(bare.counts.certified);
+  for (const auto& found : bare.dyads) EXPECT_FALSE(found.certificate.certified);
+}
+
+}  // namespace
+}  // namespace burmester::planar
