@@ -8,7 +8,7 @@
 //     number of real common points = 1 + sum over the real roots of sign(-trace adj).
 // That sum is the signature of Hermite's trace form: H[j][k] = sum over all roots of P(x) x^(j+k), P = -trace adj, a
 // rational function of the coefficients (C. Hermite 1853; Basu, Pollack, Roy, "Algorithms in Real Algebraic
-// Geometry", theorem 4.58). H is regular exactly when f has three different roots and no member is a double line.
+// Geometry", 2006, section 4.3). H is regular exactly when f has three different roots and no member is a double line.
 #pragma once
 
 #include <array>

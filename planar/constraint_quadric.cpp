@@ -13,7 +13,7 @@ Line line_of(const LineRecord& record) {
 }  // namespace
 
 Quadric<double> constraint_quadric(const Family::Design& design) {
-  Quadric<double> out = Dyads::visit(
+  Quadric<double> out = Family::Types::visit(
       design, []<class D>(const typename D::Design& d) { return constraint_quadric(D::encode(d)); });
   if (const auto* d = std::get_if<RR::Design>(&design)) {
     const double here = (d->moving - d->fixed).norm(), turned = (d->moving + d->fixed).norm();

@@ -67,7 +67,10 @@ Verdict verdict(FivePoseCase what, FivePoses poses, int real, const std::string&
           "no finite dyad exists: the poses have two orientations only (3 + 2), and the three parallel ones lie on a line";
       return out;
     }
-    case FivePoseCase::common_vertex: return finite(4, real, "one dyad, a solution of multiplicity four");
+    case FivePoseCase::common_vertex:
+      return {Status::degenerate,
+              {0, 4, std::nullopt, false},
+              "all four dyads coincide within rounding of the poses: one of them is listed"};
     case FivePoseCase::four_parallel: {
       Verdict out{Status::none, {std::nullopt, std::nullopt, 0, false}, ""};
       out.message = "no finite dyad exists: four of the five orientations are equal, the fifth is not";

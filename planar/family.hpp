@@ -17,7 +17,8 @@ namespace burmester::planar {
 
 struct Family {
   using Space = planar::Space;
-  using Design = std::variant<RR::Design, PR::Design, RP::Design, PP::Design>;
+  using Types = DyadList<RR, PR, RP, PP>;  ///< those that are linear here; the module's list may have more
+  using Design = Types::Design;
   static constexpr int dimension = 8, relation_count = 2;
 
   /// norm(pose) times [|t|^2, 2a, 2b, 2 R^T t, 1, 2 cos, 2 sin], t = (a, b) the origin of E: a polynomial.

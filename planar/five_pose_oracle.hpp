@@ -6,7 +6,7 @@
 
 namespace burmester::planar {
 
-/// Precondition as for five_pose_roots; about 60 times as slow. Errors are below 1e-24 where double gives 1e-6.
+/// Precondition as for five_pose_roots; about sixty times as slow. Errors are below 1e-24 where double gives 1e-6.
 FivePoseRoots<Quad> five_pose_roots_quad(FivePoses poses);
 
 }  // namespace burmester::planar

@@ -26,7 +26,7 @@ enum class FivePoseCase {
   rank_deficient,     ///< rank below four otherwise
   common_line,        ///< a one-parameter family of dyads (Cardan motion: PR dyads) and at most one other
   whole_conic,        ///< a one-parameter family of dyads
-  common_vertex       ///< one dyad of multiplicity four
+  common_vertex       ///< four dyads that coincide within rounding
 };
 
 template <class T>

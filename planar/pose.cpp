@@ -27,8 +27,8 @@ Pose pose_from_degrees(double x, double y, double angle) {
 
 double angle_of(const Pose& pose) {
   // The pair is projective: (X3, X4) and (-X3, -X4) are the same pose.
-  const double sign = std::signbit(pose.X4) && pose.X4 != 0 ? -1 : 1;
-  return 2 * std::atan2(sign * pose.X3, std::abs(pose.X4));
+  const double angle = 2 * std::atan2(pose.X4 < 0 ? -pose.X3 : pose.X3, std::abs(pose.X4));
+  return angle > -std::numbers::pi ? angle : std::numbers::pi;
 }
 
 }  // namespace burmester::planar

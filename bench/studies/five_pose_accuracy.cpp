@@ -31,6 +31,7 @@ accuracy::Outcome run_parallel(const TaskClass& c, long tasks) {
   for (int k = 1; k < workers; ++k) {
     out.tasks += parts[k].tasks, out.wrong_count += parts[k].wrong_count, out.wrong_type += parts[k].wrong_type;
     out.largest = std::max(out.largest, parts[k].largest);
+    out.floor = std::max(out.floor, parts[k].floor);
     for (int n = 0; n < 5; ++n) out.with_real[n] += parts[k].with_real[n];
     out.errors.insert(out.errors.end(), parts[k].errors.begin(), parts[k].errors.end());
   }
@@ -42,16 +43,16 @@ accuracy::Outcome run_parallel(const TaskClass& c, long tasks) {
 int main(int argc, char** argv) {
   const long generic = argc > 1 ? std::atol(argv[1]) : 1000000, others = argc > 2 ? std::atol(argv[2]) : 100000;
   bool good = true;
-  fmt::print("{:<18}{:>9}{:>7}{:>6}{:>10}{:>10}{:>10}   {:<18}{}\n", "class", "tasks", "count", "type", "median", "99.9 %",
-             "largest", "limits", "tasks with 0 / 2 / 4 real dyads");
+  fmt::print("{:<18}{:>9}{:>7}{:>6}{:>10}{:>10}{:>10}{:>10}   {:<20}{}\n", "class", "tasks", "count", "type", "median",
+             "99.9 %", "largest", "rounding", "limits", "tasks with 0 / 2 / 4 real dyads");
   for (const TaskClass& c : random_task_classes()) {
     accuracy::Outcome out = run_parallel(c, c.name == "generic" ? generic : others);
     const accuracy::Limits limits = accuracy::limits_of(c.name);
     const double median = out.quantile(0.5), tail = out.quantile(0.999);
     const bool ok = out.wrong_count == 0 && out.wrong_type == 0 && median <= limits.median && tail <= limits.tail;
     good = good && ok;
-    fmt::print("{:<18}{:>9}{:>7}{:>6}{:>10.1e}{:>10.1e}{:>10.1e}   {:.1e} {:.1e} {}  {} / {} / {}\n", c.name, out.tasks,
-               out.wrong_count, out.wrong_type, median, tail, out.largest, limits.median, limits.tail,
+    fmt::print("{:<18}{:>9}{:>7}{:>6}{:>10.1e}{:>10.1e}{:>10.1e}{:>10.1e}   {:.1e} {:.1e} {}  {} / {} / {}\n", c.name, out.tasks,
+               out.wrong_count, out.wrong_type, median, tail, out.largest, out.floor, limits.median, limits.tail,
                ok ? "met" : "NOT MET", out.with_real[0], out.with_real[2], out.with_real[4]);
     std::fflush(stdout);
   }

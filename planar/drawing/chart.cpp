@@ -48,7 +48,7 @@ Pose Chart::pose(const Point3<double>& x) const {
 
 Quadric<double> Chart::quadric(const Family::Design& design) const {
   const Vector<double, 4> unit(1, 0, 0, 0), h = Space::point<double>(middle);
-  const Family::Design moved = Dyads::visit(
+  const Family::Design moved = Family::Types::visit(
       design, [&]<class D>(const typename D::Design& d) { return Family::Design(D::moved(d, unit, h)); });
   Quadric<double> out = constraint_quadric(moved);
   if (const auto* d = std::get_if<PP::Design>(&moved))

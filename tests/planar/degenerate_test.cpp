@@ -140,10 +140,10 @@ TEST(CardanMotion, MiddleOfTheMovingSegmentIsIsolated) {
   Random random("CardanMotion.MiddleOfTheMovingSegmentIsIsolated");
   for (int i = 0; i < 200; ++i) {
     const RR::Design d = only_RR(solve(find_task_class("cardan_motion")->make(random)));
-    // Five random places on the ellipse may lie close together: errors of 1e-16 times a condition up to 1e6.
-    EXPECT_LT(d.fixed.norm(), 1e-10) << "task " << i;
-    EXPECT_LT((d.moving - Vector2(1, 0)).norm(), 1e-10) << "task " << i;
-    EXPECT_NEAR(d.length, 1, 1e-10) << "task " << i;
+    // Five random places on the ellipse may lie close together: 1e-16 times a condition up to 1e8.
+    EXPECT_LT(d.fixed.norm(), 1e-8) << "task " << i;
+    EXPECT_LT((d.moving - Vector2(1, 0)).norm(), 1e-8) << "task " << i;
+    EXPECT_NEAR(d.length, 1, 1e-8) << "task " << i;
   }
 }
 
@@ -151,9 +151,9 @@ TEST(OldhamMotion, InverseOfTheIsolatedDyad) {
   Random random("OldhamMotion.InverseOfTheIsolatedDyad");
   for (int i = 0; i < 200; ++i) {
     const RR::Design d = only_RR(solve(find_task_class("oldham_motion")->make(random)));
-    EXPECT_LT((d.fixed - Vector2(1, 0)).norm(), 1e-10) << "task " << i;
-    EXPECT_LT(d.moving.norm(), 1e-10) << "task " << i;
-    EXPECT_NEAR(d.length, 1, 1e-10) << "task " << i;
+    EXPECT_LT((d.fixed - Vector2(1, 0)).norm(), 1e-8) << "task " << i;
+    EXPECT_LT(d.moving.norm(), 1e-8) << "task " << i;
+    EXPECT_NEAR(d.length, 1, 1e-8) << "task " << i;
   }
 }
 
@@ -262,6 +262,8 @@ TEST(Verdict, CountsAndStatus) {
   EXPECT_THAT(verdict(FivePoseCase::common_line, task, 0, "PR").message, HasSubstr("family of PR dyads"));
   EXPECT_THAT(verdict(FivePoseCase::common_line, task, 0, "RR").message, HasSubstr("family of RR dyads"));
   EXPECT_EQ(verdict(FivePoseCase::whole_conic, task, 0, "").counts.dimension, 1);
+  EXPECT_EQ(verdict(FivePoseCase::common_vertex, task, 1, "").status, Status::degenerate);
+  EXPECT_EQ(verdict(FivePoseCase::common_vertex, task, 1, "").counts.real, std::nullopt);
 }
 
 }  // namespace

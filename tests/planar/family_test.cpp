@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "rational.hpp"
 
 namespace burmester::planar {
@@ -27,6 +29,34 @@ TEST(PlanarFamily, LiftedFormIsTheCircleExactlyOverTheRationals) {
     EXPECT_EQ(relations[0], 0);
     EXPECT_EQ(relations[1], 0);
   }
+}
+
+TEST(PlanarFamily, DecodesEveryTypeUpToScale) {
+  Random random("PlanarFamily.DecodesEveryTypeUpToScale");
+  Dyads::for_each([&]<class D>() {
+    for (int i = 0; i < 100; ++i) {
+      const auto design = D::random_design(random);
+      const auto back = Family::decode(random.normal() * D::encode(design));
+      ASSERT_TRUE(back && std::holds_alternative<typename D::Design>(*back)) << D::name << ", case " << i;
+      const Pose probe = Space::random_pose(random);
+      const double residual = D::residual(std::get<typename D::Design>(*back), probe);
+      EXPECT_NEAR(std::abs(residual), std::abs(D::residual(design, probe)), 1e-12) << D::name << ", case " << i;
+    }
+  });
+}
+
+TEST(PlanarFamily, OtherFormsAreNoDyads) {
+  const auto none = [](std::initializer_list<double> k) {
+    Vector<double, 8> v;
+    std::copy(k.begin(), k.end(), v.begin());
+    return !Family::decode(v);
+  };
+  EXPECT_TRUE(none({0, 0, 0, 0, 0, 0, 0, 0}));
+  EXPECT_TRUE(none({1, 0, 0, 0, 0, 1, 0, 0}));  // X^2 + Y^2 = -1
+  EXPECT_TRUE(none({0, 1, 0, 1, 0, 0, 0, 0}));  // neither line
+  EXPECT_TRUE(none({0, 0, 0, 0, 0, 1, 1, 0}));  // a pair of orientations
+  EXPECT_TRUE(none({0, 0, 0, 0, 0, 0, 1, 0}));
+  EXPECT_FALSE(none({0, 0, 0, 0, 0, 2, 1, 0}));
 }
 
 }  // namespace

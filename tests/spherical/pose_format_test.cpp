@@ -91,7 +91,7 @@ TEST(SphericalModule, HasItsFaceAndNoSolverYet) {
   EXPECT_THROW(module->synthesize({}), NotAvailable);
   EXPECT_TRUE(module->draw({}, {}).poses.empty());
   EXPECT_EQ(module->task_size({}), 1);
-  EXPECT_EQ(module->show_pose({1, 0, 0, 0.5}, {}).back(), (std::pair<std::string, double>("qz", 0.5)));
+  EXPECT_EQ(module->show_pose({1, 0, 0, 0.5}, {}).back(), (std::pair<std::string, double>("quaternion_wxyz", 0.5)));
 }
 
 }  // namespace

@@ -30,7 +30,9 @@ inline Limits limits_of(std::string_view name) {
   if (name == "small_rotations") return {3 * 6.1e-16, 3 * 4.8e-12};
   if (name == "nearly_parallel") return {3 * 6.1e-16, 3 * 3.0e-13};
   if (name == "small_coordinates") return {3 * 1.9e-16, 3 * 5.0e-13};
-  if (name == "offset_origin") return {3 * 1.4e-11, 3 * 1.4e-11};
+  // 1.4e-11 is rounding of the answer; its 99.9 % depends on the sizes drawn: the largest rounding of a task of size 1,
+  // half a unit in the last place of 1e6 in two coordinates, is 8.2e-11.
+  if (name == "offset_origin") return {3 * 1.4e-11, 8.2e-11};
   return {1e-7, 1e-7};
 }
 
@@ -38,6 +40,7 @@ struct Outcome {
   long tasks = 0, wrong_count = 0, wrong_type = 0;
   std::array<long, 5> with_real{};  ///< tasks with 0 .. 4 real dyads (oracle)
   std::vector<double> errors;
+  double floor = 0;  ///< largest error (RR) of the oracle's own answer once it is rounded to doubles
   double largest = 0;
 
   double quantile(double p) {
@@ -125,6 +128,8 @@ inline void add_task(const FivePoseTask& task, Outcome& out) {
       const Vector<Quad, 4> x{rr.moving[0], rr.moving[1], rr.fixed[0], rr.fixed[1]};
       const double away = detail::distance(y, {Quad(0), Quad(0), Quad(reference.x), Quad(reference.y)});
       error = detail::distance(x, y) / std::max(size, away);
+      const Vector<Quad, 4> rounded = y.template cast<double>().template cast<Quad>();
+      out.floor = std::max(out.floor, detail::distance(rounded, y) / std::max(size, away));
     } else {
       error = detail::slider_error(got.design, expected.design, task, size);
     }
