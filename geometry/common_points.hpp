@@ -137,8 +137,9 @@ class PencilSeparation {
 };
 
 /// Common points of a pencil in which not every member is singular (`determinant`: its pencil_determinant).
-/// Preconditions: both conics of size about 1, not proportional. Points are accurate to a few units times the condition of the
-/// pencil; one Newton step of the caller on its own equations gives the rest.
+/// Preconditions: both conics of size about 1, not proportional. The points are good enough for one Newton step of
+/// the caller on its own equations to leave a few unit roundoffs times the condition of each point; before it, errors
+/// of 1e-8 were seen at conditions of 1e3.
 template <class T>
 CommonPoints<T> regular_common_points(const Conic<T>& a, const Conic<T>& b, const std::array<T, 4>& determinant) {
   const BinaryCubicRoots<T> roots = binary_cubic_roots(determinant);

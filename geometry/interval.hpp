@@ -1,9 +1,10 @@
 // Interval arithmetic: boxes that contain the exact value whatever was rounded on the way.
 //
-// Only in targets made by burmester_enable_intervals (modules/burmester.cmake), and only while an UpwardRounding
-// lives: without either, boxes miss the truth silently. Keep its scope small; everything in it rounds upward, Eigen
-// and the mathematical functions too. A double is exact: Interval(x) is the point x.
-// A comparison that the boxes do not decide throws CGAL::Uncertain_conversion_exception when it is read as bool.
+// Only in targets made by burmester_enable_intervals (modules/burmester.cmake), and only while an
+// UpwardRounding lives: without either, boxes miss the truth silently. Keep its scope small; everything in it
+// rounds upward, Eigen and the mathematical functions too. A double is exact: Interval(x) is the point x. A
+// comparison that the boxes do not decide throws CGAL::Uncertain_conversion_exception when it is read as
+// bool.
 #pragma once
 
 #include <CGAL/FPU.h>
@@ -22,7 +23,8 @@ class UpwardRounding {
 #if defined(__ROUNDING_MATH__) || !defined(__GNUC__) || defined(__clang__)
   UpwardRounding() = default;
 #else
-  UpwardRounding() = delete;  // this target is not compiled for intervals: call burmester_enable_intervals for it
+  UpwardRounding() =
+      delete;  // this target is not compiled for intervals: call burmester_enable_intervals for it
 #endif
   UpwardRounding(const UpwardRounding&) = delete;
   UpwardRounding& operator=(const UpwardRounding&) = delete;

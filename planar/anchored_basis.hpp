@@ -71,8 +71,9 @@ RelativeTurn<T> relative_turn(const Pose& a, const Pose& b) {
   return turn;
 }
 
-/// Two equal angles, sine and cosine each rounded once, may differ by this much in the sine of half their difference.
-inline constexpr double same_orientation_tolerance = 0x1p-52;
+/// Two equal angles may differ by this much in the sine of half their difference: the angles themselves rounded (up to
+/// two turns in radians), then sine and cosine each once.
+inline constexpr double same_orientation_tolerance = 0x1p-50;
 
 /// Whether two poses have the same orientation, up to rounding the data once.
 inline bool same_orientation(const Pose& a, const Pose& b) {
@@ -86,10 +87,16 @@ struct AnchorChoice {
   bool parallel_pair = false;  ///< two poses may have the same orientation: look closer
   /// What rounding the data once (coordinates, X3 and X4) does to the rows of the closest pair, relative to the rows.
   double noise = 0;
+  /// Noise would drown the poses: two of them, or all orientations, agree to within rounding. The doubles are then taken
+  /// as they are (noise is one unit roundoff), and only a certificate makes the answer worth stating.
+  bool indistinct = false;
 };
 
 /// Reference pose, length unit and turn unit for five poses.
 AnchorChoice choose_anchor(FivePoses poses);
+
+/// Noise above this is noise that drowns the poses.
+inline constexpr double largest_noise = 0x1p-18;
 
 /// The row of equation (2) for the displacement from pose `a` (the reference) to pose `b`, times the norm of the
 /// relative image point and a power of two that makes its largest entry of order 1.

@@ -22,9 +22,10 @@ std::string name_equal_poses(FivePoses poses) {
         seen[j] = true, group.push_back(j + 1);
     if (group.size() > 1) groups.push_back(fmt::format("{}", fmt::join(group, " and ")));
   }
-  static constexpr const char* family[] = {"", "met by every dyad", "in general met by a three-dimensional family of dyads",
-                                           "in general met by a two-dimensional family of dyads",
-                                           "in general met by a curve of dyads (circle points and centre points)"};
+  static constexpr const char* family[] = {
+      "", "met by every dyad", "in general met by a three-dimensional family of dyads",
+      "in general met by a two-dimensional family of dyads",
+      "in general met by a curve of dyads (circle points and centre points)"};
   return fmt::format("poses {} are equal: in effect {} pose{}, {}", fmt::join(groups, ", "), different,
                      different == 1 ? "" : "s", family[different]);
 }
@@ -63,8 +64,8 @@ Verdict verdict(FivePoseCase what, FivePoses poses, int real, const std::string&
                                          : "and of the other two none is real"));
     case FivePoseCase::two_orientations_in_line: {
       Verdict out{Status::none, {std::nullopt, std::nullopt, 0, false}, ""};
-      out.message =
-          "no finite dyad exists: the poses have two orientations only (3 + 2), and the three parallel ones lie on a line";
+      out.message = "no finite dyad exists: the poses have two orientations only (3 + 2), and the three parallel ones "
+                    "lie on a line";
       return out;
     }
     case FivePoseCase::common_vertex:

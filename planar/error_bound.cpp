@@ -14,6 +14,8 @@ double off(double value, double origin, const Range& range) {
   return magnitude(Interval(Interval(value) - (Interval(origin) + interval_of(range))));
 }
 
+double length(double x, double y) { return std::sqrt(x * x + y * y) * (1 + 0x1p-40); }
+
 Point rotated(const Interval& cosine, const Interval& sine, const Point& p) {
   return {Interval(cosine * p[0] - sine * p[1]), Interval(sine * p[0] + cosine * p[1])};
 }
@@ -53,7 +55,7 @@ double line_error(const Line& line, const std::array<Point, 5>& places) {
   // Two places at most `away` from the line and `spread` apart: sin(angle) <= 2 away / spread, and asin(x) <= pi/2 x.
   const double rounding = 16 * unit_roundoff * (4 + reach);  // of the angle and the foot as they are shown
   const double angle = 3.1415926535897936 * away / spread + rounding;
-  return std::max(angle, away + reach * angle + rounding) * (1 + 0x1p-40);
+  return length(angle, away + reach * angle + rounding);
 }
 
 }  // namespace
@@ -61,23 +63,24 @@ double line_error(const Line& line, const std::array<Point, 5>& places) {
 double error_bound(const Dyads::Design& shown, const DyadBox& box, FivePoses poses, const Anchor& anchor) {
   const UpwardRounding upward;
   const Pose& reference = poses[static_cast<std::size_t>(anchor.reference)];
-  const auto moving = [&](const Vector2& p) { return std::max(off(p[0], 0, box.moving[0]), off(p[1], 0, box.moving[1])); };
+  // Distances, not coordinates; roundings upward, and a step outward for those of the square root.
+  const auto moving = [&](const Vector2& p) { return length(off(p[0], 0, box.moving[0]), off(p[1], 0, box.moving[1])); };
   const auto fixed = [&](const Vector2& p) {
-    return std::max(off(p[0], reference.x, box.fixed[0]), off(p[1], reference.y, box.fixed[1]));
+    return length(off(p[0], reference.x, box.fixed[0]), off(p[1], reference.y, box.fixed[1]));
   };
   std::array<Point, 5> places;
   if (const auto* rr = std::get_if<RR::Design>(&shown))
-    return std::max({moving(rr->moving), fixed(rr->fixed), off(rr->length, 0, box.length)});
+    return length(length(moving(rr->moving), fixed(rr->fixed)), off(rr->length, 0, box.length));
   if (const auto* pr = std::get_if<PR::Design>(&shown)) {
     const Point pivot{interval_of(box.moving[0]), interval_of(box.moving[1])};
     for (std::size_t j = 0; j < 5; ++j) places[j] = to_fixed(poses[j], pivot);
-    return std::max(moving(pr->moving), line_error(pr->line, places));
+    return length(moving(pr->moving), line_error(pr->line, places));
   }
   if (const auto* rp = std::get_if<RP::Design>(&shown)) {
     const Point pivot{Interval(interval_of(box.fixed[0]) + Interval(reference.x)),
                       Interval(interval_of(box.fixed[1]) + Interval(reference.y))};
     for (std::size_t j = 0; j < 5; ++j) places[j] = to_moving(poses[j], pivot);
-    return std::max(fixed(rp->fixed), line_error(rp->line, places));
+    return length(fixed(rp->fixed), line_error(rp->line, places));
   }
   return std::numeric_limits<double>::infinity();
 }

@@ -36,8 +36,8 @@ struct CertifiedRoots {
 /// For any five poses; degenerate ones come back as they were found, with nothing proved.
 CertifiedRoots certified_five_pose_roots(FivePoses poses);
 
-/// Largest error of what `shown` states (pivots, length, line as in results; length units and radians), given that the
-/// dyad is in the box. The line of a slider stands for the five true places of its pivot: its angle is off by at most
+/// How far what `shown` states (pivots, length, line as in results; length units and radians, all together as one
+/// Euclidean distance) can be from the truth, given that the dyad is in the box. The line of a slider stands for the five true places of its pivot: its angle is off by at most
 /// what their distances from the line allow over their spread. Infinite where the box does not say.
 double error_bound(const Dyads::Design& shown, const DyadBox& box, FivePoses poses, const Anchor& anchor);
 

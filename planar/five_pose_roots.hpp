@@ -33,6 +33,7 @@ template <class T>
 struct FivePoseRoots {
   FivePoseCase what = FivePoseCase::regular;
   Anchor anchor;
+  bool indistinct = false;              ///< AnchorChoice::indistinct
   int count = 0;                        ///< real roots listed
   std::array<Anchored<T>, 4> w;         ///< the roots
   Anchored<T> family;                   ///< common_line: a member of the family

@@ -82,6 +82,19 @@ void state_proof(const CertifiedRoots& certified, PlanarReport& report) {
     report.message += fmt::format(", proved complete, true to {:.0e}", 1.5 * radius);  // printed: never below radius
 }
 
+/// Poses that rounding can hardly tell apart: what is proved of the doubles stands, the rest is not decided.
+void judge_indistinct(PlanarReport& report) {
+  if (report.counts.certified) {
+    report.warnings.push_back(
+        "two poses, or all orientations, agree to within rounding: the answer holds for the doubles given");
+    return;
+  }
+  report.status = Status::degenerate;
+  report.message = "not decided: two poses, or all orientations, agree to within rounding of the data";
+  report.counts = {};
+  report.dyads.clear();
+}
+
 template <class T>
 PlanarReport report_of(const FivePoseRoots<T>& roots, FivePoses poses, const CertifiedRoots* certified = nullptr) {
   PlanarReport report;
@@ -105,6 +118,7 @@ PlanarReport report_of(const FivePoseRoots<T>& roots, FivePoses poses, const Cer
   report.counts = v.counts;
   if (certified) state_proof(*certified, report);
   if (!report.counts.certified) warn_of_merging(roots, report);
+  if (roots.indistinct) judge_indistinct(report);
   sort_dyads(report);
   return report;
 }

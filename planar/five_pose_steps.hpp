@@ -120,7 +120,8 @@ FivePoseCase parallel_case(FivePoses poses, const AnchorChoice& choice) {
 /// Whether w is a pair of orientations: K0 = G = U = 0 to within the tolerance.
 template <class T>
 bool is_orientation_pair(const Anchored<T>& w, double tolerance) {
-  return approximate(T(w.template head<5>().cwiseAbs().maxCoeff())) <= tolerance * approximate(T(w.cwiseAbs().maxCoeff()));
+  const T rest = w.template head<5>().cwiseAbs().maxCoeff(), size = w.cwiseAbs().maxCoeff();
+  return approximate(rest) <= tolerance * approximate(size);
 }
 
 /// The conics share a component or a vertex: find which, and the isolated root if there is one.
@@ -167,6 +168,7 @@ FivePoseRoots<T> solve(FivePoses poses) {
   FivePoseRoots<T> out;
   const AnchorChoice choice = choose_anchor(poses);
   out.anchor = choice.anchor;
+  out.indistinct = choice.indistinct;
   if (choice.equal_poses) {
     out.what = FivePoseCase::equal_poses;
     return out;

@@ -76,6 +76,8 @@ PlanarReport solve(const Problem& problem, std::span<const Pose> poses) {
   } else {
     throw NotAvailable(fmt::format("planar synthesis for {} poses (this version solves five)", poses.size()));
   }
+  if (!problem.near.empty()) report.warnings.push_back("near: only four poses leave a choice; ignored");
+  if (!problem.weights.empty()) report.warnings.push_back("weights: five poses are met exactly; ignored");
   add_searched(problem, poses, report);
   sort_dyads(report);
   return report;
@@ -92,8 +94,8 @@ class PlanarModule final : public Module {
     return planar::read_csv_pose(header == 0, row);
   }
   std::vector<std::pair<std::string, double>> show_pose(const PoseData& data, const Units& units) const override {
-    const double angle = angle_of(pose_of(data));
-    return {{"x", data[0]}, {"y", data[1]}, {"angle", units.degrees ? angle * 180 / std::numbers::pi : angle}};
+    const double angle = angle_of(pose_of(data)), shown = units.degrees ? angle * 180 / std::numbers::pi : angle;
+    return {{"x", data[0]}, {"y", data[1]}, {"angle", std::stod(fmt::format("{:.15g}", shown))}};  // 9.58, as it was typed
   }
   double task_size(const Problem& problem) const override { return planar::task_size(poses_of(problem)); }
 

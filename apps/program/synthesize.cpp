@@ -23,7 +23,8 @@ namespace burmester {
 namespace {
 
 struct Request {
-  std::string problem, folder, types;
+  std::string problem, folder;
+  std::optional<std::string> types;
   bool as_json = false;
   bool no_certify = false;
 };
@@ -75,7 +76,7 @@ int synthesize(const Request& request, Program& program) {
   Problem problem =
       read_problem(read_text(request.problem, console), program.registry, {.file = name, .geometry = {}});
   const Module& module = *program.registry.find(problem.geometry);
-  if (!request.types.empty()) problem.types = types_of(request.types, module);
+  if (request.types) problem.types = types_of(*request.types, module);
   problem.certify = !request.no_certify;
   std::optional<OutputFolder> folder;
   if (!request.folder.empty()) folder.emplace(request.folder);

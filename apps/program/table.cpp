@@ -1,6 +1,7 @@
 #include "program/table.hpp"
 
 #include <algorithm>
+#include <numbers>
 #include <cmath>
 #include <functional>
 #include <vector>
@@ -12,6 +13,12 @@
 
 namespace burmester {
 namespace {
+
+/// A line's direction; one that the table's digits would round up to half a turn is shown as 0.
+double direction(double angle, const Units& units) {
+  const double shown = shown_direction(angle, units), half_turn = shown_direction(std::numbers::pi / 2, units) * 2;
+  return half_turn - shown < 1e-6 * half_turn ? 0 : shown;
+}
 
 constexpr std::size_t width = 100;
 
@@ -81,7 +88,7 @@ std::string reach(const DyadRecord& dyad, const Units& units, const Style& style
   };
   if (dyad.line)
     return fmt::format("{} at {}", point(dyad.line->point, style),
-                       angle(shown_direction(dyad.line->angle, units)));
+                       angle(direction(dyad.line->angle, units)));
   if (dyad.length) return number(*dyad.length, style.digits);
   if (dyad.arc) return angle(shown_angle(*dyad.arc, units));
   return dyad.angle ? angle(shown_angle(*dyad.angle, units)) : "";

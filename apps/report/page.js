@@ -305,9 +305,10 @@ function fillTables() {
     col("Quaternion (w, x, y, z)", r => point(r.p.quaternion_wxyz)), col("", r => copier(r.p, `pose ${r.name}`), true),
   ], given, () => ({}));
 }
+const roundedUp = x => { const unit = 10 ** (Math.floor(Math.log10(x)) - 1); return x > 0 ? Math.ceil(x / unit) * unit : x; };  // to two digits
 function certificate(d) {
   const c = d.certificate; if (!c) return null;
-  return c.certified ? h("span", { class: "num", title: `within ${c.radius} of the true dyad` }, isNumber(c.radius) ? `proved, ±${format(1.06 * c.radius, 2)}` : "proved") : "not proved";
+  return c.certified ? h("span", { class: "num", title: `within ${c.radius} of the true dyad` }, isNumber(c.radius) ? `proved, ±${format(roundedUp(c.radius), 2)}` : "proved") : "not proved";
 }
 function thumbnail(l) {
   const svg = s("svg", { class: "thumb", viewBox: "0 0 96 88", "aria-hidden": "true" }), shot = l.at_pose[0];

@@ -13,7 +13,7 @@ enum class Rung { none, intervals, exact };  ///< none: nothing proved; exact: r
 
 struct Certificate {
   bool certified = false;
-  double radius = 0;  ///< largest error of a coordinate or length shown (length units), of an angle (radians)
+  double radius = 0;  ///< distance of all that is shown (coordinates and lengths, angles in radians) from the truth
   Rung rung = Rung::none;
 };
 

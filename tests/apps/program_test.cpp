@@ -60,7 +60,7 @@ TEST(Program, TellsWhatIsNotAvailable) {
 TEST(Program, TakesTheModulesNamesForTypes) {
   EXPECT_THAT(run({"synthesize", "-", "--json", "--types", "RP"}, problem + "n\"}").out,
               HasSubstr("\"types\": [\"PR\"]"));
-  EXPECT_EQ(run({"synthesize", "-", "--types", ""}, problem + "n\"}").code, answered);
+  EXPECT_EQ(run({"synthesize", "-", "--types", ""}, problem + "n\"}").code, bad_input);
   EXPECT_EQ(run({"synthesize", "-", "--types", ","}, problem + "n\"}").code, bad_input);
 }
 

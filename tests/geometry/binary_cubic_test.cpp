@@ -34,17 +34,19 @@ exact::RootCount exact_count(const Form& c) {
   return exact::count_real_roots_of_form({Rational(c[0]), Rational(c[1]), Rational(c[2]), Rational(c[3])});
 }
 
-/// |form(s, t)| relative to the largest coefficient and the third power of the larger of |s|, |t|, in unit roundoffs.
+/// |form(s, t)| relative to the largest coefficient and the third power of the larger of |s|, |t|, in unit
+/// roundoffs.
 double backward_error(const Form& c, const Pair& root) {
   const Rational s(root[0]), t(root[1]), larger = std::max(Rational(abs(s)), Rational(abs(t)));
-  const Rational value = ((Rational(c[0]) * s + Rational(c[1]) * t) * s + Rational(c[2]) * t * t) * s + Rational(c[3]) * t * t * t;
+  const Rational a(c[0]), b(c[1]), e(c[2]), d(c[3]),
+      value = ((a * s + b * t) * s + e * t * t) * s + d * t * t * t;
   const Rational largest(std::max({std::abs(c[0]), std::abs(c[1]), std::abs(c[2]), std::abs(c[3])}));
   return approximate(Rational(abs(value) / (largest * larger * larger * larger))) / unit_roundoff;
 }
 
-// Horner's rule for a cubic: 6 roundings, each at most a unit roundoff of the sum of the 4 terms, in the residual that
-// Newton's method brings to rounding; as much again in the deflated quadratic and its square root; twice that where
-// they add up in a multiple root.
+// Horner's rule for a cubic: 6 roundings, each at most a unit roundoff of the sum of the 4 terms, in the
+// residual that Newton's method brings to rounding; as much again in the deflated quadratic and its square
+// root; twice that where they add up in a multiple root.
 constexpr double backward_limit = 64;
 
 void expect_stable(const Form& c, const std::string& label) {
@@ -56,7 +58,8 @@ void expect_stable(const Form& c, const std::string& label) {
   }
 }
 
-/// Counts agree where the discriminant, relative to the fourth power of the largest coefficient, exceeds `certain`.
+/// Counts agree where the discriminant, relative to the fourth power of the largest coefficient, exceeds
+/// `certain`.
 void expect_exact_counts(const std::string& stream, int tasks, const std::function<Form(Random&)>& make,
                          double certain = 0) {
   Random random(stream);
@@ -69,7 +72,8 @@ void expect_exact_counts(const std::string& stream, int tasks, const std::functi
     const int count = binary_cubic_roots(c).count;
     const std::array<Rational, 4> exactly{Rational(c[0]), Rational(c[1]), Rational(c[2]), Rational(c[3])};
     const bool sure = std::abs(approximate(relative_discriminant(exactly))) >= certain;
-    EXPECT_TRUE(count == truth.distinct || !sure) << label << ": " << count << " for " << truth.distinct << ", " << text(c);
+    EXPECT_TRUE(count == truth.distinct || !sure)
+        << label << ": " << count << " for " << truth.distinct << ", " << text(c);
   }
 }
 
@@ -92,8 +96,8 @@ TEST(BinaryCubic, CountsAreExactForIntegerRoots) {  // infinite ones among them
 
 TEST(BinaryCubic, CountsAreExactForCoefficientsOfAllSizes) {
   for (const double decades : {10, 20, 30, 40})
-    expect_exact_counts("BinaryCubic.CountsAreExactForCoefficientsOfAllSizes." + std::to_string(decades), 3000,
-                        [decades](Random& r) {
+    expect_exact_counts("BinaryCubic.CountsAreExactForCoefficientsOfAllSizes." + std::to_string(decades),
+                        3000, [decades](Random& r) {
                           Form c;
                           for (double& x : c) x = r.normal() * std::pow(10, r.uniform(-decades, decades));
                           return c;
@@ -109,13 +113,18 @@ TEST(BinaryCubic, CountsAreExactNearDoubleRoots) {
     for (double& x : c) x *= 1 + apart * r.normal();
     return c;
   };
-  expect_exact_counts("BinaryCubic.CountsAreExactNearDoubleRoots", 5000, make, 608 * backward_limit * unit_roundoff);
+  expect_exact_counts("BinaryCubic.CountsAreExactNearDoubleRoots", 5000, make,
+                      608 * backward_limit * unit_roundoff);
 }
 
 TEST(BinaryCubic, CountsAreExactWithRootsAtInfinityAndZero) {
   const std::string stream = "BinaryCubic.CountsAreExactWithRootsAtInfinityAndZero";
-  expect_exact_counts(stream + ".infinity", 1000, [](Random& r) { return Form{0, r.normal(), r.normal(), r.normal()}; });
-  expect_exact_counts(stream + ".zero", 1000, [](Random& r) { return Form{r.normal(), r.normal(), r.normal(), 0}; });
+  expect_exact_counts(stream + ".infinity", 1000, [](Random& r) {
+    return Form{0, r.normal(), r.normal(), r.normal()};
+  });
+  expect_exact_counts(stream + ".zero", 1000, [](Random& r) {
+    return Form{r.normal(), r.normal(), r.normal(), 0};
+  });
   expect_exact_counts(stream + ".both", 1000, [](Random& r) { return Form{0, r.normal(), r.normal(), 0}; });
 }
 
@@ -141,7 +150,8 @@ TEST(BinaryCubic, DoubleRootsLeaveTheSimpleRoot) {
     const double gap = apart(simple, multiple);
     expect_stable(c, "case " + std::to_string(i));
     EXPECT_TRUE(1 <= roots.count && roots.count <= 3) << text(c);
-    // slope of the normed form at the simple root: gap^2 times at least 1/8 (largest coefficient of the product)
+    // slope of the normed form at the simple root: gap^2 times at least 1/8 (largest coefficient of the
+    // product)
     EXPECT_LT(nearest(simple, roots), 8 * backward_limit * unit_roundoff / (gap * gap)) << text(c);
     for (int k = 0; k < roots.count; ++k) {
       const double away = std::min(apart(simple, roots.at[k]), apart(multiple, roots.at[k]));
@@ -158,7 +168,8 @@ TEST(BinaryCubic, TripleRootsAreFoundToTheCubeRootOfRounding) {
     const auto roots = binary_cubic_roots(c);
     ASSERT_GE(roots.count, 1) << text(c);
     for (int k = 0; k < roots.count; ++k)
-      EXPECT_LT(apart({-root[1], root[0]}, roots.at[k]), std::cbrt(8 * backward_limit * unit_roundoff)) << text(c);
+      EXPECT_LT(apart({-root[1], root[0]}, roots.at[k]), std::cbrt(8 * backward_limit * unit_roundoff))
+          << text(c);
   }
 }
 

@@ -38,7 +38,8 @@ Point polished(const ConicPair& pair, const Point& p) {
 }
 
 // The rounding of the conics to double alone moves a point by sqrt(6) unit roundoffs times its condition, the
-// evaluation of two conics in the Newton step by some 10 more. The worst condition of the four counts for all of them.
+// evaluation of two conics in the Newton step by some 10 more. The worst condition of the four counts for all
+// of them.
 constexpr double few = 64;
 
 double tolerance(const ConicPair& pair) {
@@ -107,7 +108,8 @@ TEST(CommonPoints, OfTwoCircles) {  // the circular points (1, +-i, 0) are the o
 }
 
 TEST(CommonPoints, OfTheTextbookCircles) {
-  ConicPair pair{Conic<double>({1, 1, -25, 0, 0, 0}), Conic<double>({1, 1, 11, 0, -12, 0}), {}};  // radius 5 about (0, 0) and (6, 0)
+  // radius 5 about (0, 0) and (6, 0)
+  ConicPair pair{Conic<double>({1, 1, -25, 0, 0, 0}), Conic<double>({1, 1, 11, 0, -12, 0}), {}};
   pair.common = {{Quad(3), Quad(4), Quad(1)}, {Quad(3), Quad(-4), Quad(1)}};
   expect_planted(pair, "circles");
 }
@@ -118,7 +120,8 @@ Matrix<double, 3, 3> random_map(Random& random) {
     for (int c = 0; c < 3; ++c) m(r, c) = random.normal();
   return m;
 }
-Conic<double> mapped(const Conic<double>& c, const Matrix<double, 3, 3>& m) {  // x is on the result where m x is on c
+Conic<double> mapped(const Conic<double>& c,
+                     const Matrix<double, 3, 3>& m) {  // x is on the result where m x is on c
   Matrix<double, 3, 3> doubled;
   doubled << 2 * c.q[0], c.q[5], c.q[4], c.q[5], 2 * c.q[1], c.q[3], c.q[4], c.q[3], 2 * c.q[2];
   const Matrix<double, 3, 3> d = m.transpose() * doubled * m;
@@ -144,8 +147,9 @@ TEST(CommonPoints, AreInvariantUnderProjectiveMaps) {
     }
     const double stretch = m.norm() * inverse.norm();
     for (int k = 0; k < found.count; ++k) {
-      const double limit = stretch * stretch * (tolerance(pair) + few * unit_roundoff * condition(image, inverse * found.point[k]));
-      EXPECT_LT(nearest(inverse * found.point[k], there), limit) << "case " << i;
+      const Point expected = inverse * found.point[k];
+      const double there_too = few * unit_roundoff * condition(image, expected);
+      EXPECT_LT(nearest(expected, there), stretch * stretch * (tolerance(pair) + there_too)) << "case " << i;
     }
   }
 }
@@ -156,7 +160,8 @@ TEST(CommonPoints, TangencyLeavesTheSimplePoints) {
   for (int i = 0; i < 1000; ++i) {
     const QuadPoint p = random_point(random), u = random_point(random), v = random_point(random);
     const QuadPoint l = p.cross(random_point(random));
-    const ConicPair pair = random_members(line_pair(l, u.cross(v)), line_pair(p.cross(u), p.cross(v)), {u, v}, random);
+    const ConicPair pair =
+        random_members(line_pair(l, u.cross(v)), line_pair(p.cross(u), p.cross(v)), {u, v}, random);
     const CommonPoints<double> found = solve(pair);
     const double root_of_rounding = std::sqrt(few * tolerance(pair));
     for (const QuadPoint& simple : pair.common)
@@ -171,10 +176,11 @@ TEST(CommonPoints, TangencyLeavesTheSimplePoints) {
 
 constexpr double tiny = 1e-12;  // what counts as zero in conics of size 1
 
-/// Six coefficients below 2, each rounded once, enter with cofactors up to 32: 2 * 6 * 32 unit roundoffs, and the
-/// rounding of the evaluation.
+/// Six coefficients below 2, each rounded once, enter with cofactors up to 32: 2 * 6 * 32 unit roundoffs, and
+/// the rounding of the evaluation.
 void expect_zero_pencil(const ConicPair& pair, const std::string& label) {
-  for (const double c : pencil_determinant(pair.a, pair.b)) EXPECT_LT(std::abs(c), 512 * unit_roundoff) << label;
+  for (const double c : pencil_determinant(pair.a, pair.b))
+    EXPECT_LT(std::abs(c), 512 * unit_roundoff) << label;
 }
 
 TEST(DegeneratePencil, SharedLine) {
@@ -193,9 +199,11 @@ TEST(DegeneratePencil, SharedLine) {
 }
 
 TEST(DegeneratePencil, SharedLineThroughTheCommonPointOfTheOthers) {
-  const QuadPoint shared{Quad(1), Quad(2), Quad(-3)}, l{Quad(1), Quad(-1), Quad(0)}, m{Quad(2), Quad(1), Quad(-3)};
+  const QuadPoint shared{Quad(1), Quad(2), Quad(-3)}, l{Quad(1), Quad(-1), Quad(0)},
+      m{Quad(2), Quad(1), Quad(-3)};
   ASSERT_EQ(shared.dot(l.cross(m)), 0);
-  const auto found = degenerate_common_points(rounded(line_pair(shared, l)), rounded(line_pair(shared, m)), tiny);
+  const auto found =
+      degenerate_common_points(rounded(line_pair(shared, l)), rounded(line_pair(shared, m)), tiny);
   EXPECT_EQ(found.kind, PencilKind::common_line);
   EXPECT_EQ(found.count, 0);
 }
@@ -205,7 +213,8 @@ TEST(DegeneratePencil, SharedLineThatOneMemberHoldsTwice) {
   for (int i = 0; i < 100; ++i) {
     const QuadPoint shared = random_point(random), m = random_point(random);
     const auto twice = rounded(line_pair(shared, shared)), once = rounded(line_pair(shared, m));
-    for (const auto& found : {degenerate_common_points(twice, once, tiny), degenerate_common_points(once, twice, tiny)}) {
+    for (const auto& found :
+         {degenerate_common_points(twice, once, tiny), degenerate_common_points(once, twice, tiny)}) {
       ASSERT_EQ(found.kind, PencilKind::common_line) << "case " << i;
       EXPECT_LT(apart(found.line, to_double(shared)), 1e-10) << "case " << i;
       EXPECT_EQ(found.count, 0) << "case " << i;
@@ -274,7 +283,8 @@ TEST(PencilSeparation, IsThatOfTheLines) {
     Rational size2 = 0;
     for (const Rational& q : a.q) size2 += q * q;
     a = pencil_member(a, Rational(1), b, Rational(-3));
-    EXPECT_EQ(PencilSeparation<Rational>(a, b)(1, 3) * size2, Rational(l.cross(m).squaredNorm())) << "case " << i;
+    EXPECT_EQ(PencilSeparation<Rational>(a, b)(1, 3) * size2, Rational(l.cross(m).squaredNorm()))
+        << "case " << i;
   }
 }
 

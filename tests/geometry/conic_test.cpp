@@ -44,7 +44,8 @@ TEST(Conic, AddProductAddsAPairOfLines) {
   Random random("Conic.AddProductAddsAPairOfLines");
   for (int i = 0; i < 100; ++i) {
     const Conic<Rational> c = random_conic(random);
-    const Point l = random_rationals<3>(random), m = random_rationals<3>(random), x = random_rationals<3>(random);
+    const Point l = random_rationals<3>(random), m = random_rationals<3>(random),
+                x = random_rationals<3>(random);
     Conic<Rational> d = c;
     d.add_product(l, m, -3);
     EXPECT_EQ(d(x), c(x) - 3 * Rational(l.dot(x)) * Rational(m.dot(x)));

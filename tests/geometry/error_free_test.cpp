@@ -19,7 +19,8 @@ TEST(TwoProduct, IsExact) {
     const double a = random_double(random, 200), b = random_double(random, 200);
     const TwoProduct p = two_product(a, b);
     EXPECT_EQ(p.high, a * b);
-    EXPECT_EQ(Rational(p.high) + Rational(p.low), Rational(a) * Rational(b)) << "case " << i << ": " << a << ' ' << b;
+    EXPECT_EQ(Rational(p.high) + Rational(p.low), Rational(a) * Rational(b))
+        << "case " << i << ": " << a << ' ' << b;
   }
 }
 
@@ -41,8 +42,8 @@ double error(double a, double b, double c, double d) {
   return static_cast<double>(Rational(abs(Rational((Rational(got) - exact) / exact)))) / unit_roundoff;
 }
 
-// Without cancellation the result suffers the rounding of both products, of their tails and of three additions.
-// With cancellation, high parts within a factor of two, the leading difference is exact.
+// Without cancellation the result suffers the rounding of both products, of their tails and of three
+// additions. With cancellation, high parts within a factor of two, the leading difference is exact.
 constexpr double few = 4;
 
 TEST(DifferenceOfProducts, IsAccurateForAnyNumbers) {

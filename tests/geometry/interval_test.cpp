@@ -9,9 +9,12 @@
 namespace burmester {
 namespace {
 
-bool contains(const Interval& box, const Rational& x) { return Rational(box.inf()) <= x && x <= Rational(box.sup()); }
+bool contains(const Interval& box, const Rational& x) {
+  return Rational(box.inf()) <= x && x <= Rational(box.sup());
+}
 
-/// How doubles round, seen from a sum: CGAL sets the mode of the vector unit, which std::fegetround does not read.
+/// How doubles round, seen from a sum: CGAL sets the mode of the vector unit, which std::fegetround does not
+/// read.
 enum class Mode { nearest, upward, other };
 Mode mode() {
   volatile double one = 1, tiny = 0x1p-60;
@@ -34,9 +37,7 @@ TEST(Interval, RoundingModeIsRestored) {
   {
     const UpwardRounding upward;
     EXPECT_EQ(mode(), Mode::upward);
-    {
-      const UpwardRounding inner;
-    }
+    { const UpwardRounding inner; }
     EXPECT_EQ(mode(), Mode::upward);
   }
   EXPECT_EQ(mode(), Mode::nearest);
@@ -74,8 +75,10 @@ TEST(Interval, ApproximationIsAPointOfTheBox) {
 TEST(Interval, ContainsTheExactValue) {
   Random random("Interval.ContainsTheExactValue");
   for (int i = 0; i < 1000; ++i) {
-    const double a = random.normal(), b = random.normal(), c = a * (1 + 1e-14 * random.normal()), d = random.normal();
-    const Rational exact = (Rational(a) * Rational(b) - Rational(c) * Rational(b)) / Rational(d) + Rational(c);
+    const double a = random.normal(), b = random.normal(), c = a * (1 + 1e-14 * random.normal()),
+                 d = random.normal();
+    const Rational exact =
+        (Rational(a) * Rational(b) - Rational(c) * Rational(b)) / Rational(d) + Rational(c);
     const UpwardRounding upward;
     const Interval box = (Interval(a) * Interval(b) - Interval(c) * Interval(b)) / Interval(d) + Interval(c);
     EXPECT_TRUE(contains(box, exact)) << "case " << i << ": " << a << ' ' << b << ' ' << c << ' ' << d;
@@ -91,7 +94,8 @@ TEST(Interval, UndecidedComparisonsThrow) {
 
 TEST(Interval, RunsInEigen) {
   const UpwardRounding upward;
-  const Vector<Interval, 3> u{Interval(0.1), Interval(0.2), Interval(0.3)}, v{Interval(3), Interval(-2), Interval(0.7)};
+  const Vector<Interval, 3> u{Interval(0.1), Interval(0.2), Interval(0.3)},
+      v{Interval(3), Interval(-2), Interval(0.7)};
   const Rational exact = Rational(0.1) * 3 - Rational(0.2) * 2 + Rational(0.3) * Rational(0.7);
   EXPECT_TRUE(contains(u.dot(v), exact));
 }

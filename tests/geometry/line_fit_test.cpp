@@ -38,8 +38,10 @@ TEST(FitLine, IsTheBestOfAllLines) {
     const double angle = std::atan2(line.direction[1], line.direction[0]);
     const double best = squared_distances(points, line.centre, angle);
     for (int k = 1; k < 60; ++k)
-      EXPECT_LE(best, squared_distances(points, line.centre, angle + k * std::numbers::pi / 60) * (1 + 1e-13));
-    const Vector<double, 2> aside = line.centre + Vector<double, 2>(-line.direction[1], line.direction[0]) * 1e-3;
+      EXPECT_LE(best,
+                squared_distances(points, line.centre, angle + k * std::numbers::pi / 60) * (1 + 1e-13));
+    const Vector<double, 2> aside =
+        line.centre + Vector<double, 2>(-line.direction[1], line.direction[0]) * 1e-3;
     EXPECT_LT(best, squared_distances(points, aside, angle));
   }
 }
@@ -63,7 +65,8 @@ TEST(FitLine, DepartureIsTheLargestDistance) {
   const FittedLine line = fit_line(points);
   double largest = 0;
   for (const auto& p : points)
-    largest = std::max(largest, std::abs((p - line.centre).dot(Vector<double, 2>(-line.direction[1], line.direction[0]))));
+    largest = std::max(
+        largest, std::abs((p - line.centre).dot(Vector<double, 2>(-line.direction[1], line.direction[0]))));
   EXPECT_DOUBLE_EQ(line.departure, largest);
   EXPECT_GT(line.departure, 0.05);
 }

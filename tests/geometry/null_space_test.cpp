@@ -68,7 +68,8 @@ Matrix<Rational, cols, dimension> with_free(Matrix<Rational, cols, dimension> ba
   return basis;
 }
 
-/// Largest error of the double basis, relative to its largest entry, in unit roundoffs over the smallest pivot.
+/// Largest error of the double basis, relative to its largest entry, in unit roundoffs over the smallest
+/// pivot.
 template <int rows, int cols>
 double error(const Matrix<double, rows, cols>& m) {
   const auto n = null_space(m);
@@ -80,8 +81,9 @@ double error(const Matrix<double, rows, cols>& m) {
   return worst / n.basis.cwiseAbs().maxCoeff() / unit_roundoff * n.smallest_pivot();
 }
 
-// Backward stable: the computed basis is that of a matrix a few roundoffs away, and the smallest pivot (relative to
-// the first) is within a factor of its distance from a deficient one. 16: rounding errors per entry, 4 pivots deep.
+// Backward stable: the computed basis is that of a matrix a few roundoffs away, and the smallest pivot
+// (relative to the first) is within a factor of its distance from a deficient one. 16: rounding errors per
+// entry, 4 pivots deep.
 TEST(NullSpace, IsAccurateForRandomMatrices) {
   Random random("NullSpace.IsAccurateForRandomMatrices");
   for (int i = 0; i < 1000; ++i) {
@@ -140,7 +142,8 @@ TEST(NullSpace, PivotsFallAndStartAtOne) {
   for (int i = 0; i < 100; ++i) {
     const auto n = null_space(random_matrix<4, 7>(random));
     EXPECT_EQ(n.pivot[0], 1);
-    for (int k = 1; k < 4; ++k) EXPECT_LE(n.pivot[k], 2 * n.pivot[k - 1]);  // growth of one step of elimination
+    for (int k = 1; k < 4; ++k)
+      EXPECT_LE(n.pivot[k], 2 * n.pivot[k - 1]);  // growth of one step of elimination
   }
 }
 

@@ -29,7 +29,8 @@ TEST(Rational, HasNoExpressionTemplates) {
 }
 
 TEST(Rational, RunsInEigen) {
-  const Vector<Rational, 3> u{Rational(1, 3), Rational(2), Rational(-1)}, v{Rational(3), Rational(1, 4), Rational(3, 2)};
+  const Vector<Rational, 3> u{Rational(1, 3), Rational(2), Rational(-1)},
+      v{Rational(3), Rational(1, 4), Rational(3, 2)};
   EXPECT_EQ(u.dot(v), 0);
   EXPECT_EQ(u.cross(v).dot(u), 0);
 }

@@ -6,8 +6,8 @@ namespace burmester {
 
 // A library built for plain x86-64 and a consumer built with -march=native must agree on the layout.
 template <int n>
-constexpr bool plain_layout =
-    alignof(Vector<double, n>) == alignof(double) && sizeof(Vector<double, n>) == n * sizeof(double);
+constexpr bool plain_layout = alignof(Vector<double, n>) == alignof(double) &&
+                              sizeof(Vector<double, n>) == n * sizeof(double);
 
 TEST(Vector, HasTheLayoutOfAPlainArray) {
   static_assert(plain_layout<2> && plain_layout<3> && plain_layout<4> && plain_layout<7> && plain_layout<8>);

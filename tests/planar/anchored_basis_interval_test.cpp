@@ -17,12 +17,14 @@ bool contains(const Interval& box, const Rational& x) {
 }
 
 template <int rows, int cols>
-::testing::AssertionResult contains(const Matrix<Interval, rows, cols>& boxes, const Matrix<Rational, rows, cols>& exact) {
+::testing::AssertionResult contains(const Matrix<Interval, rows, cols>& boxes,
+                                    const Matrix<Rational, rows, cols>& exact) {
   for (int r = 0; r < rows; ++r)
     for (int c = 0; c < cols; ++c)
       if (!contains(boxes(r, c), exact(r, c)))
-        return ::testing::AssertionFailure() << "entry " << r << ", " << c << ": " << exact(r, c) << " is not in ["
-                                             << boxes(r, c).inf() << ", " << boxes(r, c).sup() << ']';
+        return ::testing::AssertionFailure()
+               << "entry " << r << ", " << c << ": " << exact(r, c) << " is not in [" << boxes(r, c).inf()
+               << ", " << boxes(r, c).sup() << ']';
   return ::testing::AssertionSuccess();
 }
 
@@ -56,7 +58,8 @@ Boxes boxes_of(const FivePoseTask& task, const Anchor& anchor) {
 
 TEST(FivePoseIntervals, ContainTheExactRowsNullSpaceAndConics) {
   for (const TaskClass& c : random_task_classes()) {
-    const std::string stream = "FivePoseIntervals.ContainTheExactRowsNullSpaceAndConics." + std::string(c.name);
+    const std::string stream =
+        "FivePoseIntervals.ContainTheExactRowsNullSpaceAndConics." + std::string(c.name);
     Random random(stream);
     for (int i = 0; i < 50; ++i) {
       const FivePoseTask task = c.make(random);

@@ -110,8 +110,10 @@ void expect_decoded_RR(const char* stream, double tolerance) {
     const Place moving = times(rotation(reference), task.moving), fixed = task.fixed - origin(reference);
     for (int k = 0; k < 2; ++k) {
       const T L(anchor.length);
-      EXPECT_NEAR(approximate(T(pivots.moving[k] * L - static_cast<T>(moving[k]))), 0, tolerance) << "case " << i;
-      EXPECT_NEAR(approximate(T(pivots.fixed[k] * L - static_cast<T>(fixed[k]))), 0, tolerance) << "case " << i;
+      EXPECT_NEAR(approximate(T(pivots.moving[k] * L - static_cast<T>(moving[k]))), 0, tolerance)
+          << "case " << i;
+      EXPECT_NEAR(approximate(T(pivots.fixed[k] * L - static_cast<T>(fixed[k]))), 0, tolerance)
+          << "case " << i;
     }
   }
 }
@@ -196,8 +198,8 @@ double turn_error(const Pose& a, const Pose& b) {
   return std::abs(approximate(Rational((Rational(got) - exact) / exact))) / unit_roundoff;
 }
 
-// Points of one norm to rounding: two products and their difference, which hardly cancel once the difference vector is
-// formed. Of different norms: difference_of_products.
+// Points of one norm to rounding: two products and their difference, which hardly cancel once the difference
+// vector is formed. Of different norms: difference_of_products.
 TEST(RelativeTurn, KeepsItsDigitsHoweverSmall) {
   Random random("RelativeTurn.KeepsItsDigitsHoweverSmall");
   for (int i = 0; i < 20000; ++i) {

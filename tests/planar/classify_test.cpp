@@ -8,8 +8,8 @@
 namespace burmester::planar {
 namespace {
 
-/// Five poses whose moving pivot lies on an arc of length 2 of a circle of radius R, at places that leave their best
-/// line by 1 / (4 R): heights t^2 / (2 R) at t = -1, -1/2, 0, 1/2, 1.
+/// Five poses whose moving pivot lies on an arc of length 2 of a circle of radius R, at places that leave
+/// their best line by 1 / (4 R): heights t^2 / (2 R) at t = -1, -1/2, 0, 1/2, 1.
 FivePoseTask arc_task(Random& random, double R) {
   const Vector2 moving = Space::random_feature(random);
   FivePoseTask task;
@@ -52,7 +52,8 @@ void expect_thresholds(const std::string& stream, FivePoseTask (*turned)(FivePos
       const FivePoseTask task = turned(arc_task(random, R));
       const double relative = departure_of_radius(R) / task_size(task);
       const PlanarReport report = FivePoseSolver().solve(task);
-      const std::string label = stream + ", case " + std::to_string(i) + ", departure " + std::to_string(relative * 1e12) + "e-12";
+      const std::string label =
+          stream + ", case " + std::to_string(i) + ", departure " + std::to_string(relative * 1e12) + "e-12";
       EXPECT_EQ(count_sliders<Slider>(report), relative < slider_departure) << label;
       if (relative > slider_departure && relative < near_slider_departure) {
         EXPECT_GE(count_near_sliders(report, Slider::name), 1) << label;
@@ -83,7 +84,8 @@ TEST(Classify, SliderRecordIsTheLineOfTheArc) {
       const auto* rr = std::get_if<RR::Design>(&found.design);
       if (!rr || !found.slider || std::abs(rr->length / R - 1) > 1e-3) continue;
       ++seen;
-      EXPECT_NEAR(found.slider->departure, departure_of_radius(R), 1e-3 * departure_of_radius(R)) << "case " << i;
+      EXPECT_NEAR(found.slider->departure, departure_of_radius(R), 1e-3 * departure_of_radius(R))
+          << "case " << i;
       EXPECT_LT(std::abs(std::sin(found.slider->line.angle)), 1e-6) << "case " << i;  // the arc runs along x
     }
     EXPECT_EQ(seen, 1) << "case " << i;
@@ -101,8 +103,8 @@ TEST(Classify, PlantedSlidersAreFound) {
   }
 }
 
-// The moving pivot stands still to some 1e-3 of the task: its places fit a line well, but it is a crank. Points near it move
-// as little, so other short cranks may come with it.
+// The moving pivot stands still to some 1e-3 of the task: its places fit a line well, but it is a crank.
+// Points near it move as little, so other short cranks may come with it.
 TEST(Classify, ShortCranksStayRR) {
   Random random("Classify.ShortCranksStayRR");
   for (int i = 0; i < 100; ++i) {
@@ -126,11 +128,13 @@ TEST(Classify, ShortCranksStayRR) {
   }
 }
 
-// A slider whose finite pivot is the reference pose's origin: K0 and u are rounding errors there, and so is v.
+// A slider whose finite pivot is the reference pose's origin: K0 and u are rounding errors there, and so is
+// v.
 TEST(Classify, SlidersThroughTheOrigin) {
   const FivePoseTask on_diagonal{Pose{1, 1, 0, 1}, Pose{1, 1, 1, 0}, Pose{-1, -1, 1, 0}, Pose{-1, -1, -1, 1},
                                  Pose{0, 0, -1, 1}};
-  const PlanarReport direct = FivePoseSolver().solve(on_diagonal), inverse = FivePoseSolver().solve(inverted(on_diagonal));
+  const PlanarReport direct = FivePoseSolver().solve(on_diagonal);
+  const PlanarReport inverse = FivePoseSolver().solve(inverted(on_diagonal));
   EXPECT_EQ(count_sliders<PR>(direct), 1);
   EXPECT_EQ(count_sliders<RP>(inverse), 1);
   for (const auto& found : direct.dyads) EXPECT_LT(found.residual, 1e-14);

@@ -21,7 +21,8 @@ PlanarReport solve(const FivePoseTask& task) { return FivePoseSolver().solve(tas
 std::string types(const PlanarReport& report) {
   std::string out;
   for (const auto& found : report.dyads)
-    out += Dyads::visit(found.design, []<class D>(const typename D::Design&) { return std::string(D::name) + ' '; });
+    out += Dyads::visit(found.design,
+                        []<class D>(const typename D::Design&) { return std::string(D::name) + ' '; });
   return out;
 }
 
@@ -65,7 +66,8 @@ INSTANTIATE_TEST_SUITE_P(Classes, Degenerate, ::testing::ValuesIn(all_expected),
 TEST(DegenerateClasses, AreAllExpectedSomewhere) {
   for (const TaskClass& c : degenerate_task_classes()) {
     const auto named = [&](const Expected& e) { return e.name == c.name; };
-    EXPECT_TRUE(c.name == "two_orientations" || std::any_of(all_expected.begin(), all_expected.end(), named)) << c.name;
+    EXPECT_TRUE(c.name == "two_orientations" || std::any_of(all_expected.begin(), all_expected.end(), named))
+        << c.name;
   }
 }
 
@@ -77,7 +79,8 @@ struct Triple {
 Triple triple_of(const FivePoseTask& t) {
   const Vector2 a(t[1].x - t[0].x, t[1].y - t[0].y), b(t[3].x - t[0].x, t[3].y - t[0].y);
   const double twice_area = std::abs(a[0] * b[1] - a[1] * b[0]);
-  return {a.norm() * b.norm() * (a - b).norm() / (2 * twice_area), std::hypot(t[4].x - t[2].x, t[4].y - t[2].y)};
+  return {a.norm() * b.norm() * (a - b).norm() / (2 * twice_area),
+          std::hypot(t[4].x - t[2].x, t[4].y - t[2].y)};
 }
 
 TEST(TwoOrientations, RemainingDyadsHaveTheRadiusOfTheTriple) {
@@ -86,7 +89,8 @@ TEST(TwoOrientations, RemainingDyadsHaveTheRadiusOfTheTriple) {
   for (int i = 0; i < 1000; ++i) {
     FivePoseTask task = find_task_class("two_orientations")->make(random);
     const double three = random.uniform(-3, 3), two = random.uniform(-3, 3);
-    for (std::size_t j = 0; j < 5; ++j) task[j] = pose_from_radians(task[j].x, task[j].y, j == 2 || j == 4 ? two : three);
+    for (std::size_t j = 0; j < 5; ++j)
+      task[j] = pose_from_radians(task[j].x, task[j].y, j == 2 || j == 4 ? two : three);
     const Triple triple = triple_of(task);
     const PlanarReport report = solve(task);
     const bool reachable = triple.apart < 2 * triple.radius;
@@ -108,7 +112,8 @@ TEST(TwoOrientations, NoFiniteDyadWhereTheTripleIsInLine) {
   for (int i = 0; i < 200; ++i) {
     FivePoseTask task = find_task_class("two_orientations")->make(random);
     const double along = random.normal();
-    task[3].x = task[0].x + along * (task[1].x - task[0].x), task[3].y = task[0].y + along * (task[1].y - task[0].y);
+    task[3].x = task[0].x + along * (task[1].x - task[0].x),
+    task[3].y = task[0].y + along * (task[1].y - task[0].y);
     const PlanarReport report = solve(task);
     EXPECT_EQ(report.status, Status::none) << "task " << i << ": " << report.message;
     EXPECT_EQ(types(report), "") << "task " << i;
@@ -173,8 +178,10 @@ TEST(CardanMotion, OfAnySizeAtAnyPlaceInAnyNorm) {
         EXPECT_THAT(report.message, StartsWith("a one-parameter family of PR dyads"));
         const RR::Design d = only_RR(report);
         const double rounding = 1e-13 * (1 + shift);
-        EXPECT_LT((d.fixed / size - Vector2(shift, shift)).norm(), rounding) << size << ' ' << shift << ' ' << factor;
-        EXPECT_LT((d.moving / size - Vector2(1, 0)).norm(), rounding) << size << ' ' << shift << ' ' << factor;
+        EXPECT_LT((d.fixed / size - Vector2(shift, shift)).norm(), rounding)
+            << size << ' ' << shift << ' ' << factor;
+        EXPECT_LT((d.moving / size - Vector2(1, 0)).norm(), rounding)
+            << size << ' ' << shift << ' ' << factor;
       }
 }
 
@@ -190,16 +197,22 @@ void expect_equal(const FivePoseTask& task, const std::string& message) {
 
 TEST(EqualPoses, AreNamed) {
   const Pose a = at(0, 0, 0), b = at(1, 2, 30), c = at(3, 1, 70);
-  expect_equal({a, b, a, a, c}, "poses 1 and 3 and 4 are equal: in effect 3 poses, in general met by a two-dimensional");
-  expect_equal({a, b, a, b, c}, "poses 1 and 3, 2 and 4 are equal: in effect 3 poses, in general met by a two");
-  expect_equal({a, b, a, b, a}, "poses 1 and 3 and 5, 2 and 4 are equal: in effect 2 poses, in general met by a three");
-  expect_equal({b, b, b, b, b}, "poses 1 and 2 and 3 and 4 and 5 are equal: in effect 1 pose, met by every dyad");
+  expect_equal({a, b, a, a, c},
+               "poses 1 and 3 and 4 are equal: in effect 3 poses, in general met by a two-dimensional");
+  expect_equal({a, b, a, b, c},
+               "poses 1 and 3, 2 and 4 are equal: in effect 3 poses, in general met by a two");
+  expect_equal({a, b, a, b, a},
+               "poses 1 and 3 and 5, 2 and 4 are equal: in effect 2 poses, in general met by a three");
+  expect_equal({b, b, b, b, b},
+               "poses 1 and 2 and 3 and 4 and 5 are equal: in effect 1 pose, met by every dyad");
 }
 
 TEST(EqualPoses, WithWholeTurnsAndOtherNormsBetween) {
   const Pose a = at(1, 2, 30);
-  for (const Pose& same : {at(1, 2, 390), at(1, 2, -330), Pose{1, 2, 2 * a.X3, 2 * a.X4}, Pose{1, 2, -a.X3, -a.X4}})
-    expect_equal({a, at(0, 1, 110), same, at(3, 1, 70), at(-1, 0, 10)}, "poses 1 and 3 are equal: in effect 4 poses");
+  for (const Pose& same :
+       {at(1, 2, 390), at(1, 2, -330), Pose{1, 2, 2 * a.X3, 2 * a.X4}, Pose{1, 2, -a.X3, -a.X4}})
+    expect_equal({a, at(0, 1, 110), same, at(3, 1, 70), at(-1, 0, 10)},
+                 "poses 1 and 3 are equal: in effect 4 poses");
 }
 
 TEST(EqualPoses, AmongParallelOnes) {
@@ -211,7 +224,8 @@ TEST(EqualPoses, AmongParallelOnes) {
 
 TEST(RotationAboutAPoint, ThatIsTheOriginOfBothFrames) {
   for (const double x : {0.0, 5.0}) {
-    const PlanarReport report = solve({at(x, 0, 0), at(x, 0, 30), at(x, 0, 50), at(x, 0, 130), at(x, 0, -30)});
+    const PlanarReport report =
+        solve({at(x, 0, 0), at(x, 0, 30), at(x, 0, 50), at(x, 0, 130), at(x, 0, -30)});
     EXPECT_EQ(report.status, Status::degenerate);
     EXPECT_THAT(report.message, HasSubstr("rotations about one point"));
     EXPECT_EQ(types(report), "");
@@ -247,7 +261,8 @@ TEST(FourRotationsAboutAPoint, LeaveInfinitelyManyDyads) {
 
 // A parallel pose short of equal: the fourth orientation decides.
 TEST(NearlyDegenerate, IsNotDegenerate) {
-  const PlanarReport report = solve({at(0, 0, 20), at(1, 3, 20), at(3, -2, 20), at(0, 4, 20 + 1e-6), at(2, 5, 50)});
+  const PlanarReport report =
+      solve({at(0, 0, 20), at(1, 3, 20), at(3, -2, 20), at(0, 4, 20 + 1e-6), at(2, 5, 50)});
   EXPECT_TRUE(report.status == Status::exact || report.status == Status::none) << report.message;
   EXPECT_EQ(report.counts.complex, 4) << report.message;
 }

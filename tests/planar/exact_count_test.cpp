@@ -20,7 +20,8 @@ TEST(ExactCount, AgreesOnEveryClass) {
       ASSERT_TRUE(truth.finite) << stream << ", task " << i;
       EXPECT_EQ(truth.real.distinct, truth.real.counted) << stream << ", task " << i << ": a double root";
       EXPECT_EQ(five_pose_roots(task).count, truth.real.distinct) << stream << ", task " << i;
-      EXPECT_EQ(five_pose_roots_quad(task).count, truth.real.distinct) << stream << ", task " << i << " (quad)";
+      EXPECT_EQ(five_pose_roots_quad(task).count, truth.real.distinct)
+          << stream << ", task " << i << " (quad)";
     }
   }
 }
@@ -33,7 +34,8 @@ Vector<double, 4> pivots(const exact::Lifted& k) {
 Vector<double, 4> pivots(const Anchored<double>& w, const Anchor& anchor, const Pose& reference) {
   const AnchoredPivots<double> p = decode_pivots(w, anchor);
   const Vector2 moving = to_moving({0, 0, reference.X3, reference.X4}, p.moving * anchor.length);
-  return {moving[0], moving[1], p.fixed[0] * anchor.length + reference.x, p.fixed[1] * anchor.length + reference.y};
+  return {moving[0], moving[1], p.fixed[0] * anchor.length + reference.x,
+          p.fixed[1] * anchor.length + reference.y};
 }
 
 double distance_to_nearest(const Vector<double, 4>& x, const std::vector<exact::Lifted>& solutions) {

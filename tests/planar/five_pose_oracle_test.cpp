@@ -8,7 +8,8 @@
 namespace burmester::planar {
 namespace {
 
-// With 500 tasks a class the 99.9 % quantile is nearly the largest error, and medians scatter by a few per cent.
+// With 500 tasks a class the 99.9 % quantile is nearly the largest error, and medians scatter by a few per
+// cent.
 constexpr double small_sample = 1.5;
 
 class FivePoseAccuracy : public ::testing::TestWithParam<TaskClass> {};
@@ -59,7 +60,8 @@ TEST(FivePoseOracle, ReportsAgreeWithTheDirectSolver) {
         const FivePoseTask task = c.make(random);
         const PlanarReport fast = FivePoseSolver().solve(task), slow = FivePoseOracle().solve(task);
         EXPECT_EQ(fast.status, slow.status) << c.name << ", task " << i;
-        EXPECT_TRUE(fast.message.starts_with(slow.message)) << c.name << ", task " << i << ": " << fast.message;
+        EXPECT_TRUE(fast.message.starts_with(slow.message))
+            << c.name << ", task " << i << ": " << fast.message;
         EXPECT_EQ(fast.counts.real, slow.counts.real) << c.name << ", task " << i;
         ASSERT_EQ(fast.dyads.size(), slow.dyads.size()) << c.name << ", task " << i;
         for (std::size_t k = 0; k < fast.dyads.size(); ++k)
@@ -73,9 +75,8 @@ TEST(FivePoseReport, ResidualsAreRoundingErrors) {
     const FivePoseTask task = find_task_class("generic")->make(random);
     const PlanarReport report = FivePoseSolver().solve(task);
     for (const auto& found : report.dyads) {
-      const double length = Dyads::visit(found.design, []<class D>(const typename D::Design& d) {
-        return D::record(d).length.value_or(0);
-      });
+      const double length = Dyads::visit(
+          found.design, []<class D>(const typename D::Design& d) { return D::record(d).length.value_or(0); });
       EXPECT_LT(found.residual, 1e-12 * std::max(length, task_size(task))) << "task " << i;
     }
   }

@@ -1,4 +1,5 @@
-// The dyads of five poses do not depend on frames, unit, order and sign of the data; they follow the inversion.
+// The dyads of five poses do not depend on frames, unit, order and sign of the data; they follow the
+// inversion.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -30,7 +31,8 @@ double nearest(const Design& design, const PlanarReport& report, std::span<const
 }
 
 double length_of(const Design& design) {
-  return Dyads::visit(design, []<class D>(const typename D::Design& d) { return D::record(d).length.value_or(0); });
+  return Dyads::visit(design,
+                      []<class D>(const typename D::Design& d) { return D::record(d).length.value_or(0); });
 }
 
 /// Poses of the task's size that are none of the task's.
@@ -44,14 +46,16 @@ std::vector<Pose> random_probes(Random& random, double size) {
   return probes;
 }
 
-// Transforming a task rounds its poses once more, which moves a dyad by that times its condition; the designs' own
-// rounding is relative to their lengths. 512: the solver's own elimination, by up to the inverse of its pivots.
+// Transforming a task rounds its poses once more, which moves a dyad by that times its condition; the
+// designs' own rounding is relative to their lengths. 512: the solver's own elimination, by up to the inverse
+// of its pivots.
 double tolerance(const Found<Design>& found, double size, double coordinates) {
-  return 512 * unit_roundoff * ((1 + found.condition.value_or(0)) * (size + coordinates) + length_of(found.design));
+  return 512 * unit_roundoff *
+         ((1 + found.condition.value_or(0)) * (size + coordinates) + length_of(found.design));
 }
 
-/// Solves tasks, transforms them and expects the dyads to follow. `scale`: new length of a unit; `make`: gives what
-/// happens to a pose, and to a design.
+/// Solves tasks, transforms them and expects the dyads to follow. `scale`: new length of a unit; `make`:
+/// gives what happens to a pose, and to a design.
 template <class Make>
 void expect_follow(const std::string& stream, double scale, double shift, Make make) {
   for (const char* name : {"generic", "planted_PR", "planted_RP", "planted_four_bar"}) {
@@ -100,7 +104,9 @@ TEST(Invariance, UnderChangeOfTheMovingFrame) {
 
 TEST(Invariance, UnderInversion) {  // fixed and moving exchanged, PR and RP too
   expect_follow("Invariance.UnderInversion", 1, 3, [](Random&) {
-    const auto inverse = [](const Pose& p) { return Space::pose(Space::conjugate<double>(Space::point<double>(p))); };
+    const auto inverse = [](const Pose& p) {
+      return Space::pose(Space::conjugate<double>(Space::point<double>(p)));
+    };
     const auto follow = [](const Design& any) {
       return Dyads::visit(any, [&]<class D>(const typename D::Design& d) { return Design(D::inverse(d)); });
     };
@@ -111,7 +117,8 @@ TEST(Invariance, UnderInversion) {  // fixed and moving exchanged, PR and RP too
 /// The design in a unit of length 1 / factor.
 Design scaled(const Design& any, double factor) {
   Design out = any;
-  if (auto* rr = std::get_if<RR::Design>(&out)) rr->fixed *= factor, rr->moving *= factor, rr->length *= factor;
+  if (auto* rr = std::get_if<RR::Design>(&out))
+    rr->fixed *= factor, rr->moving *= factor, rr->length *= factor;
   if (auto* pr = std::get_if<PR::Design>(&out)) pr->moving *= factor, pr->line.offset *= factor;
   if (auto* rp = std::get_if<RP::Design>(&out)) rp->fixed *= factor, rp->line.offset *= factor;
   return out;
@@ -120,8 +127,11 @@ Design scaled(const Design& any, double factor) {
 TEST(Invariance, UnderChangeOfUnit) {
   for (const double factor : {3.7, 1e-3, 25.4})
     expect_follow("Invariance.UnderChangeOfUnit." + std::to_string(factor), factor, 0, [factor](Random&) {
-      return std::pair([=](const Pose& p) { return Pose{factor * p.x, factor * p.y, p.X3, p.X4}; },
-                       [=](const Design& d) { return scaled(d, factor); });
+      return std::pair(
+          [=](const Pose& p) {
+            return Pose{factor * p.x, factor * p.y, p.X3, p.X4};
+          },
+          [=](const Design& d) { return scaled(d, factor); });
     });
 }
 
@@ -156,7 +166,8 @@ TEST(Invariance, UnderReordering) {
     const std::vector<Pose> probes = random_probes(random, task_size(task));
     for (const auto& found : before.dyads)
       if (!(found.condition.value_or(0) > 1e8)) {
-        EXPECT_LT(nearest(found.design, after, probes), 2 * tolerance(found, task_size(task), 0)) << "task " << i;
+        EXPECT_LT(nearest(found.design, after, probes), 2 * tolerance(found, task_size(task), 0))
+            << "task " << i;
       }
   }
 }

@@ -1,4 +1,5 @@
-// Tasks with small integer data, where degeneracies of all kinds are frequent and exact, against rational arithmetic.
+// Tasks with small integer data, where degeneracies of all kinds are frequent and exact, against rational
+// arithmetic.
 #include <gtest/gtest.h>
 
 #include <optional>
@@ -29,13 +30,13 @@ std::string text(const FivePoseTask& task) {
   return out.str();
 }
 
-/// Whether every listed dyad meets the poses: to rounding, or nearly so where the report warns of a multiple dyad.
+/// Whether every listed dyad meets the poses: to rounding, or nearly so where the report warns of a multiple
+/// dyad.
 bool all_meet(const PlanarReport& report, const FivePoseTask& task) {
   const double allowed = report.warnings.empty() ? 1e-9 : 1e-4;
   for (const auto& found : report.dyads) {
-    const double length = Dyads::visit(found.design, []<class D>(const typename D::Design& d) {
-      return D::record(d).length.value_or(0);
-    });
+    const double length = Dyads::visit(
+        found.design, []<class D>(const typename D::Design& d) { return D::record(d).length.value_or(0); });
     if (!(found.residual <= allowed * std::max(length, task_size(task)))) return false;
   }
   return true;
@@ -57,9 +58,9 @@ void expect_agreement(const std::string& stream, int tasks, int turns, int place
     const exact::Solutions truth = exact::count_solutions(task, coordinates);
     const FivePoseRoots<double> roots = five_pose_roots(task);
     const PlanarReport report = FivePoseSolver().solve(task);
-    const bool regular = roots.what == FivePoseCase::regular || roots.what == FivePoseCase::two_orientations ||
-                         roots.what == FivePoseCase::two_orientations_in_line ||
-                         roots.what == FivePoseCase::common_vertex;
+    const bool regular =
+        roots.what == FivePoseCase::regular || roots.what == FivePoseCase::two_orientations ||
+        roots.what == FivePoseCase::two_orientations_in_line || roots.what == FivePoseCase::common_vertex;
     EXPECT_EQ(regular, truth.finite) << label << "\n" << report.message;
     EXPECT_TRUE(all_meet(report, task)) << label << "\n" << report.message;
     const bool counted = roots.what == FivePoseCase::regular || roots.what == FivePoseCase::two_orientations;

@@ -100,7 +100,8 @@ TEST(Linkages, SliderCrank) {
 TEST(Linkages, RockerSliderWhereTheCouplerIsTooShort) {  // 1.4 < 1 + 0.5
   EXPECT_EQ(only(rr({1, 1}, {0, 0}, 1), pr({1.4, 0}, {0, 1}, 1.5)).motion_class, "rocker-slider");
   EXPECT_EQ(only(rr({1, 1}, {0, 0}, 1), pr({1.6, 0}, {0, 1}, 1.5)).motion_class, "slider-crank");
-  EXPECT_EQ(only(rr({1, 1}, {0, 0}, 1), pr({1.6, 0}, {0, 1}, 0.5)).motion_class, "slider-crank");  // either side
+  EXPECT_EQ(only(rr({1, 1}, {0, 0}, 1), pr({1.6, 0}, {0, 1}, 0.5)).motion_class,
+            "slider-crank");  // either side
 }
 
 TEST(Linkages, InvertedSliderCrank) {

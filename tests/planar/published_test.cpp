@@ -19,7 +19,8 @@ std::vector<RR::Design> all_RR(const PlanarReport& report) {
   std::vector<RR::Design> out;
   for (const auto& found : report.dyads)
     if (const auto* rr = std::get_if<RR::Design>(&found.design)) out.push_back(*rr);
-  std::sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.moving.norm() < b.moving.norm(); });
+  std::sort(out.begin(), out.end(),
+            [](const auto& a, const auto& b) { return a.moving.norm() < b.moving.norm(); });
   return out;
 }
 
@@ -29,7 +30,8 @@ struct Printed {
 
 /// Largest difference, relative to max(1, |number|).
 double difference(const RR::Design& d, const Printed& p) {
-  const double pairs[][2] = {{d.moving[0], p.x}, {d.moving[1], p.y}, {-d.fixed[0], p.K1}, {-d.fixed[1], p.K2}, {d.length, p.r}};
+  const double pairs[][2] = {
+      {d.moving[0], p.x}, {d.moving[1], p.y}, {-d.fixed[0], p.K1}, {-d.fixed[1], p.K2}, {d.length, p.r}};
   double largest = 0;
   for (const auto& [got, expected] : pairs)
     largest = std::max(largest, std::abs(got - expected) / std::max(1.0, std::abs(expected)));
@@ -39,10 +41,12 @@ double difference(const RR::Design& d, const Printed& p) {
 void expect_dyads(const Task& task, const std::vector<Printed>& expected, double tolerance) {
   const std::vector<RR::Design> found = all_RR(FivePoseSolver().solve(task));
   ASSERT_EQ(found.size(), expected.size());
-  for (std::size_t i = 0; i < found.size(); ++i) EXPECT_LT(difference(found[i], expected[i]), tolerance) << "dyad " << i;
+  for (std::size_t i = 0; i < found.size(); ++i)
+    EXPECT_LT(difference(found[i], expected[i]), tolerance) << "dyad " << i;
 }
 
-// ---- MECH 576, "Kinematic Mapping and the Burmester Problem", section 6 (McGill University, P. J. Zsombor-Murray) ----
+// ---- MECH 576, "Kinematic Mapping and the Burmester Problem", section 6 (McGill University, P. J.
+// Zsombor-Murray) ----
 
 /// The data of its figure 4, recovered from table 20: lengths to 3 decimals, angles to 2.
 const Task mech576{at(0, 0, 0), at(-1.979, 1.708, 4.82), at(-7.045, 2.929, 9.58), at(-10.128, 1.874, 10.04),
@@ -62,7 +66,8 @@ TEST(Mech576, Table28) {
                                      {-8.9276, -1.7473, 14.0396, 9.1318, 8.9813},
                                      {-62.3859, -36.6030, 66.1837, 40.0295, 5.1151},
                                      {0.9224, -151.4112, 6.3607, 91.6985, 60.1552}};
-  expect_dyads(mech576, printed, 1e-4);  // four decimals; dyads 1, 2 and 4 differ in the last digit (1.7e-6 relative)
+  expect_dyads(mech576, printed,
+               1e-4);  // four decimals; dyads 1, 2 and 4 differ in the last digit (1.7e-6 relative)
 }
 
 TEST(Mech576, CouplerOfTheLinkageThatWasDesigned) {
@@ -73,8 +78,8 @@ TEST(Mech576, CouplerOfTheLinkageThatWasDesigned) {
   EXPECT_NEAR(coupler, 15.2648, 1e-4);
 }
 
-// Table 29's designed four-bar, closed exactly: the printed poses differ from these by their rounding, and that alone
-// moves its dyads by 1 to 2 per cent.
+// Table 29's designed four-bar, closed exactly: the printed poses differ from these by their rounding, and
+// that alone moves its dyads by 1 to 2 per cent.
 TEST(Mech576, DesignedFourBarComesBack) {
   const Task task{at(0, 0, 0), at(-1.9782115193766696, 1.7079423079229878, 4.821383175509187),
                   at(-7.046542588363395, 2.9282699140204107, 9.576080967769428),
@@ -90,7 +95,8 @@ TEST(Mech576, DesignedFourBarComesBack) {
   EXPECT_NEAR((found[0].moving - found[1].moving).norm(), 15.5, 1e-10);
 }
 
-// ---- M. J. D. Hayes, P. J. Zsombor-Murray, "Solving the Burmester problem using kinematic mapping", ASME DETC 2002 ----
+// ---- M. J. D. Hayes, P. J. Zsombor-Murray, "Solving the Burmester problem using kinematic mapping", ASME
+// DETC 2002 ----
 
 const Task hayes_2002{at(-3.339, 1.36, 150.94), at(-2.975, 7.063, 114.94), at(-3.405, 9.102, 100.22),
                       at(-7.435, 11.561, 74.07), at(-9.171, 11.219, 68.65)};
@@ -98,7 +104,8 @@ const Task hayes_2002{at(-3.339, 1.36, 150.94), at(-2.975, 7.063, 114.94), at(-3
 TEST(Hayes2002, TwoRealDyads) {
   const std::vector<Printed> computed{
       {-3.5794261131828633, -0.43562013682505724, 7.99710759896726, -0.0009535399325885758, 7.998517050532},
-      {2.9320700846036436, -8.023883717922446, -7.983138825270547, -0.027859538428453012, 13.971709218684346}};
+      {2.9320700846036436, -8.023883717922446, -7.983138825270547, -0.027859538428453012,
+       13.971709218684346}};
   expect_dyads(hayes_2002, computed, 1e-11);
   EXPECT_EQ(FivePoseSolver().solve(hayes_2002).counts.complex, 4);
 }
@@ -112,7 +119,7 @@ TEST(Hayes2002, Table4) {
   EXPECT_NEAR(found[1].fixed[0], 7.983, 1e-3);
   EXPECT_NEAR(found[1].length, 13.972, 1e-3);
   EXPECT_NEAR((found[0].fixed - found[1].fixed).norm(), 15.98, 1e-3);
-  EXPECT_NEAR(found[1].fixed[1], 0.02786, 1e-5);  // printed: -0.023
+  EXPECT_NEAR(found[1].fixed[1], 0.02786, 1e-5);                           // printed: -0.023
   EXPECT_NEAR((found[0].moving - found[1].moving).norm(), 9.99907, 1e-5);  // printed: 10.003
 }
 
@@ -132,7 +139,8 @@ TEST(Hayes2002, GeneratingMechanismComesBackFromExactPoses) {
   EXPECT_EQ(linkages[0].motion_class, "change-point");  // 8 + 16 = 10 + 14
 }
 
-// ---- M. J. D. Hayes, P. J. Zsombor-Murray, "Towards integrated type and dimensional synthesis", CSME 2004 ----
+// ---- M. J. D. Hayes, P. J. Zsombor-Murray, "Towards integrated type and dimensional synthesis", CSME 2004
+// ----
 
 const Task hayes_2004{at(5.24080746, 4.36781272, 43.88348278), at(5.05087057, 4.03883237, 57.45578356),
                       at(4.76358093, 3.54123213, 66.99534998), at(4.43453496, 2.97130779, 72.10014317),
@@ -150,16 +158,19 @@ TEST(Hayes2004, ThreeSurfacesOfTable3) {
   }
 }
 
-// Table 3 prints K1 = -4290900, K2 = 2477300, K3 = 23334000 (K0 = 1): rounding of the poses; in exact arithmetic
-// the printed poses give -4223076.6, 2438189.3, 22965522.9. The line is what counts: 60 degrees, through the slider.
+// Table 3 prints K1 = -4290900, K2 = 2477300, K3 = 23334000 (K0 = 1): rounding of the poses; in exact
+// arithmetic the printed poses give -4223076.6, 2438189.3, 22965522.9. The line is what counts: 60 degrees,
+// through the slider.
 TEST(Hayes2004, SecondSurfaceIsASlider) {
   const PlanarReport report = FivePoseSolver().solve(hayes_2004);
   int seen = 0;
   for (const auto& found : report.dyads) {
     std::optional<LineRecord> line;
     Vector2 moving;
-    if (const auto* pr = std::get_if<PR::Design>(&found.design)) line = pr->line.record(), moving = pr->moving;
-    if (const auto* rr = std::get_if<RR::Design>(&found.design); rr && found.slider && found.slider->type == "PR")
+    if (const auto* pr = std::get_if<PR::Design>(&found.design))
+      line = pr->line.record(), moving = pr->moving;
+    if (const auto* rr = std::get_if<RR::Design>(&found.design);
+        rr && found.slider && found.slider->type == "PR")
       line = found.slider->line, moving = rr->moving;
     if (!line || moving.norm() > 1e-3) continue;
     ++seen;
@@ -180,11 +191,12 @@ TEST(Hayes2004, GeneratingLinkageComesBackFromExactPoses) {
                   at(4.763580931797974, 3.5412321282403854, 66.99534997019703),
                   at(4.4345349619726, 2.9713077904770624, 72.10014317031545),
                   at(4.107481421226179, 2.404834441108964, 72.30529428375378)};
-  expect_dyads(task,
-               {{0.22810560587606094, -0.7845456115302727, -15.604091215825617, 3.436157059492897, 12.16263977354195},
-                {-2, 0, -1.5, -2, 2.5},
-                {3.7704923622913546, -2.031867092504621, -8.301095774171904, -5.083745103143986, 1.1504826543331845}},
-               1e-10);
+  expect_dyads(
+      task,
+      {{0.22810560587606094, -0.7845456115302727, -15.604091215825617, 3.436157059492897, 12.16263977354195},
+       {-2, 0, -1.5, -2, 2.5},
+       {3.7704923622913546, -2.031867092504621, -8.301095774171904, -5.083745103143986, 1.1504826543331845}},
+      1e-10);
   const PlanarReport report = FivePoseSolver().solve(task);
   ASSERT_EQ(report.dyads.size(), 4u);
   const auto* slider = std::get_if<PR::Design>(&report.dyads[3].design);

@@ -1,8 +1,9 @@
-// Five poses in rational arithmetic: an oracle that shares nothing with the direct solver but the family's equations.
+// Five poses in rational arithmetic: an oracle that shares nothing with the direct solver but the family's
+// equations.
 //
-// From the exact data (x, y, X3, X4 of each pose as rationals): the absolute 5 x 8 system Family::row, its null space,
-// the two relations on it as conics, their resultant after a random integer change of coordinates, and the real
-// roots of that quartic by Sturm's theorem.
+// From the exact data (x, y, X3, X4 of each pose as rationals): the absolute 5 x 8 system Family::row, its
+// null space, the two relations on it as conics, their resultant after a random integer change of
+// coordinates, and the real roots of that quartic by Sturm's theorem.
 #pragma once
 
 #include <optional>
@@ -79,7 +80,8 @@ inline Coefficients product(const Coefficients& p, const Coefficients& q) {
   return out;
 }
 /// p q - r s
-inline Coefficients minor(const Coefficients& p, const Coefficients& q, const Coefficients& r, const Coefficients& s) {
+inline Coefficients minor(const Coefficients& p, const Coefficients& q, const Coefficients& r,
+                          const Coefficients& s) {
   Coefficients out = product(p, q);
   const Coefficients other = product(r, s);
   for (std::size_t i = 0; i < out.size(); ++i) out[i] -= other[i];
@@ -116,15 +118,16 @@ inline Plane random_plane(const std::vector<Lifted>& basis, Random& random) {
   return plane;
 }
 
-/// Number of different roots of the resultant over the complex numbers; 0 where coordinates or resultant are no good.
+/// Number of different roots of the resultant over the complex numbers; 0 where coordinates or resultant are
+/// no good.
 inline std::size_t different_roots(const Plane& plane) {
   const Polynomial p = polynomial(plane.on.resultant);
   if (p.size() != 5 || p.front() == 0) return 0;
   return p.size() - sturm_chain(p).back().size();
 }
 
-/// Of six random planes the first with four different roots, or else the one with most of them: no two common points
-/// are seen as one.
+/// Of six random planes the first with four different roots, or else the one with most of them: no two common
+/// points are seen as one.
 inline Plane generic_plane(const std::vector<Lifted>& basis, Random& random) {
   Plane best = random_plane(basis, random);
   std::size_t most = different_roots(best);
@@ -151,7 +154,8 @@ inline Solutions count_solutions(const FivePoseTask& task, Random& random) {
   return out;
 }
 
-/// The real solutions k, with a relative error of about 2^-bits. Precondition: dimension 3, finitely many, simple.
+/// The real solutions k, with a relative error of about 2^-bits. Precondition: dimension 3, finitely many,
+/// simple.
 inline std::vector<Lifted> real_solutions(const FivePoseTask& task, Random& random, int bits) {
   const Plane plane = generic_plane(null_basis(task), random);
   const auto value = [](const Coefficients& p, const Rational& x) {

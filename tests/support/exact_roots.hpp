@@ -1,5 +1,6 @@
-// Real roots of polynomials and binary forms, exactly: Sturm's theorem on primitive integer polynomials. An oracle,
-// slow and obvious. (J. C. F. Sturm, 1829; W. S. Brown, "The subresultant PRS algorithm", 1978, for primitive chains.)
+// Real roots of polynomials and binary forms, exactly: Sturm's theorem on primitive integer polynomials. An
+// oracle, slow and obvious. (J. C. F. Sturm, 1829; W. S. Brown, "The subresultant PRS algorithm", 1978, for
+// primitive chains.)
 #pragma once
 
 #include <algorithm>
@@ -87,7 +88,8 @@ inline int changes_at(const std::vector<Polynomial>& chain, const Rational& x) {
 
 inline int changes_at_infinity(const std::vector<Polynomial>& chain, int side) {
   std::vector<int> signs;
-  for (const Polynomial& p : chain) signs.push_back(p.size() % 2 == 0 && side < 0 ? -sign(p.back()) : sign(p.back()));
+  for (const Polynomial& p : chain)
+    signs.push_back(p.size() % 2 == 0 && side < 0 ? -sign(p.back()) : sign(p.back()));
   return sign_changes(signs);
 }
 
@@ -96,7 +98,8 @@ struct RootCount {
   bool operator==(const RootCount&) const = default;
 };
 
-/// Real roots of a polynomial that is not zero. A root of multiplicity m stays in m - 1 repeated gcds with p'.
+/// Real roots of a polynomial that is not zero. A root of multiplicity m stays in m - 1 repeated gcds with
+/// p'.
 inline RootCount count_real_roots(Polynomial p) {
   RootCount out;
   for (bool first = true; p.size() > 1; first = false) {
@@ -109,7 +112,8 @@ inline RootCount count_real_roots(Polynomial p) {
   return out;
 }
 
-/// Real roots (s : t) of a binary form c[0] s^n + c[1] s^(n-1) t + .. that is not zero; (1 : 0) is one of them.
+/// Real roots (s : t) of a binary form c[0] s^n + c[1] s^(n-1) t + .. that is not zero; (1 : 0) is one of
+/// them.
 inline RootCount count_real_roots_of_form(std::vector<Rational> c) {
   const auto leading = std::find_if(c.begin(), c.end(), [](const Rational& x) { return x != 0; });
   const int infinite = static_cast<int>(leading - c.begin());
@@ -132,8 +136,9 @@ inline Rational bisected(const Polynomial& p, Rational low, Rational high, const
   return high;
 }
 
-inline void isolate(const std::vector<Polynomial>& chain, const Rational& low, int changes_low, const Rational& high,
-                    int changes_high, const Rational& precision, std::vector<Rational>& out) {
+inline void isolate(const std::vector<Polynomial>& chain, const Rational& low, int changes_low,
+                    const Rational& high, int changes_high, const Rational& precision,
+                    std::vector<Rational>& out) {
   if (changes_low == changes_high) return;
   if (changes_low - changes_high == 1 && sign_at(chain[0], low) != 0) {
     out.push_back(bisected(chain[0], low, high, precision));

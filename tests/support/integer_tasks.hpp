@@ -1,5 +1,5 @@
-// Five poses that meet a planted dyad exactly: all coordinates are integers, X3 and X4 small ones of any norm, lengths
-// multiples of the norms so that turned vectors are integers too.
+// Five poses that meet a planted dyad exactly: all coordinates are integers, X3 and X4 small ones of any
+// norm, lengths multiples of the norms so that turned vectors are integers too.
 #pragma once
 
 #include <numeric>
@@ -88,7 +88,8 @@ inline IntegerTask integer_PR_task(Random& random) {
 inline IntegerTask integer_RP_task(Random& random) {
   IntegerTask t;
   const Rational multiple = detail::random_turns(random, t.poses);
-  const Place point = multiple * detail::random_place(random, 20), along{Rational(3), Rational(1 + random.below(20))};
+  const Place point = multiple * detail::random_place(random, 20),
+              along{Rational(3), Rational(1 + random.below(20))};
   t.fixed = detail::random_place(random, 1000);
   t.normal = {Rational(-along[1]), along[0]}, t.offset = {Rational(t.normal.dot(point)), Rational(0)};
   for (Pose& p : t.poses) {

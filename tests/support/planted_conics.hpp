@@ -26,7 +26,9 @@ inline Conic<Quad> line_pair(const QuadPoint& l, const QuadPoint& m) {
   c.add_product(l, m, 1);
   return c;
 }
-inline Conic<Quad> sum(const Conic<Quad>& a, const Conic<Quad>& b) { return pencil_member(a, Quad(1), b, Quad(1)); }
+inline Conic<Quad> sum(const Conic<Quad>& a, const Conic<Quad>& b) {
+  return pencil_member(a, Quad(1), b, Quad(1));
+}
 inline Conic<Quad> difference(const Conic<Quad>& a, const Conic<Quad>& b) {
   return pencil_member(a, Quad(1), b, Quad(-1));
 }
@@ -48,25 +50,28 @@ inline ConicPair random_members(const Conic<Quad>& a, const Conic<Quad>& b, std:
           rounded(pencil_member(a, Quad(u * per_a), b, Quad(v * per_b))), std::move(common)};
 }
 
-inline ConicPair through(const QuadPoint& p, const QuadPoint& q, const QuadPoint& r, const QuadPoint& s, Random& random) {
-  return random_members(line_pair(p.cross(q), r.cross(s)), line_pair(p.cross(r), q.cross(s)), {p, q, r, s}, random);
+inline ConicPair through(const QuadPoint& p, const QuadPoint& q, const QuadPoint& r, const QuadPoint& s,
+                         Random& random) {
+  return random_members(line_pair(p.cross(q), r.cross(s)), line_pair(p.cross(r), q.cross(s)), {p, q, r, s},
+                        random);
 }
 
 /// Through p, q and the complex points x + i y, x - i y: the real and the imaginary part of
 /// (p x (x + i y)) (q x (x - i y)).
-inline ConicPair through_two_real(const QuadPoint& p, const QuadPoint& q, const QuadPoint& x, const QuadPoint& y,
-                                  Random& random) {
+inline ConicPair through_two_real(const QuadPoint& p, const QuadPoint& q, const QuadPoint& x,
+                                  const QuadPoint& y, Random& random) {
   const QuadPoint px = p.cross(x), py = p.cross(y), qx = q.cross(x), qy = q.cross(y);
-  return random_members(sum(line_pair(px, qx), line_pair(py, qy)), difference(line_pair(py, qx), line_pair(px, qy)),
-                        {p, q}, random);
+  return random_members(sum(line_pair(px, qx), line_pair(py, qy)),
+                        difference(line_pair(py, qx), line_pair(px, qy)), {p, q}, random);
 }
 
-/// Through x + i y, v + i w and their conjugates: the product of the two real lines, and |(x + i y) x (v + i w)|^2.
-inline ConicPair through_none_real(const QuadPoint& x, const QuadPoint& y, const QuadPoint& v, const QuadPoint& w,
-                                   Random& random) {
+/// Through x + i y, v + i w and their conjugates: the product of the two real lines, and |(x + i y) x (v + i
+/// w)|^2.
+inline ConicPair through_none_real(const QuadPoint& x, const QuadPoint& y, const QuadPoint& v,
+                                   const QuadPoint& w, Random& random) {
   const QuadPoint real = x.cross(v) - y.cross(w), imaginary = x.cross(w) + y.cross(v);
-  return random_members(line_pair(x.cross(y), v.cross(w)), sum(line_pair(real, real), line_pair(imaginary, imaginary)),
-                        {}, random);
+  return random_members(line_pair(x.cross(y), v.cross(w)),
+                        sum(line_pair(real, real), line_pair(imaginary, imaginary)), {}, random);
 }
 
 }  // namespace burmester
