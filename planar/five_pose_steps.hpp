@@ -188,7 +188,7 @@ FivePoseRoots<T> solve(FivePoses poses) {
   }
   const std::array<Conic<T>, 2> conics = relation_conics(pencil.null.basis, pencil.e);
   pencil.a = conics[0], pencil.b = conics[1];
-  const double amplified = tolerance / out.smallest_pivot;
+  const double amplified = tolerance / std::min(1.0, out.smallest_pivot);
   pencil.a_scale = scale_to_one(pencil.a, amplified), pencil.b_scale = scale_to_one(pencil.b, amplified);
   const std::array<T, 4> cubic = pencil_determinant(pencil.a, pencil.b);
   for (const T& c : cubic) out.pencil_size = std::max(out.pencil_size, std::abs(approximate(c)));

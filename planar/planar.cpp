@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <numbers>
 
 #include "burmester/modules/framework/condition.hpp"
@@ -95,7 +96,7 @@ class PlanarModule final : public Module {
   }
   std::vector<std::pair<std::string, double>> show_pose(const PoseData& data, const Units& units) const override {
     const double angle = angle_of(pose_of(data)), shown = units.degrees ? angle * 180 / std::numbers::pi : angle;
-    return {{"x", data[0]}, {"y", data[1]}, {"angle", std::stod(fmt::format("{:.15g}", shown))}};  // 9.58, as it was typed
+    return {{"x", data[0]}, {"y", data[1]}, {"angle", std::strtod(fmt::format("{:.15g}", shown).c_str(), nullptr)}};  // 9.58, as it was typed
   }
   double task_size(const Problem& problem) const override { return planar::task_size(poses_of(problem)); }
 
