@@ -5,11 +5,9 @@
 // of the poses, read as exact numbers. Which arithmetic decided is told by the rung.
 #pragma once
 
-#include <string_view>
+#include "burmester/geometry/rung.hpp"
 
 namespace burmester {
-
-enum class Rung { none, intervals, exact };  ///< none: nothing proved; exact: rational arithmetic was needed
 
 struct Certificate {
   bool certified = false;

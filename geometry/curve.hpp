@@ -1,0 +1,55 @@
+// What a real plane algebraic curve looks like: plain types that every route to the answer fills.
+//
+// All statements are about the real points in the projective plane. A component is a maximal connected set of them;
+// a curve of odd degree without singular points has exactly one component that a line meets an odd number of times
+// (the odd branch) and besides it only ovals.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "burmester/geometry/conic.hpp"
+#include "burmester/geometry/rung.hpp"
+
+namespace burmester {
+
+enum class SingularKind {
+  crossing,  ///< node: two or more real branches cross
+  isolated,  ///< a point of the curve with no other real point near it
+  cusp,      ///< one real branch, with a cusp or smooth in appearance
+  other
+};
+
+struct SingularPoint {
+  Point2<double> at;
+  SingularKind kind = SingularKind::other;
+};
+
+struct PointAtInfinity {
+  Point2<double> at;           ///< third coordinate 0
+  LinearForm<double> tangent;  ///< the asymptote; zero where the point is singular
+};
+
+struct CurveTopology {
+  Rung rung = Rung::none;  ///< what proved it; none: not available, `reason` says why, the rest means nothing
+  std::string reason;
+  int components = 0;  ///< isolated points included
+  int ovals = 0;       ///< components without singular points, not single points, met by lines an even number of times
+  int isolated = 0;    ///< components that are one point
+  std::vector<SingularPoint> singular;              ///< real ones
+  std::vector<LinearForm<double>> lines;            ///< real lines that split off
+  std::vector<Conic<double>> conics;                ///< real conics, irreducible over the reals, that split off
+  std::vector<PointAtInfinity> at_infinity;         ///< real ones
+};
+
+/// A part of a traced curve. Each point of the polyline is within max_error of the curve, and each point of the part of
+/// the curve that it stands for is within max_error of the polyline.
+struct CurvePiece {
+  int component = 0;    ///< pieces of one component share the number
+  bool closed = false;  ///< a whole closed component; the first point is not repeated
+  double max_error = 0;
+  std::vector<Vector<double, 2>> points;
+};
+
+}  // namespace burmester
