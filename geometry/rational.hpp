@@ -12,13 +12,12 @@
 #include <boost/multiprecision/eigen.hpp>
 
 #ifdef BURMESTER_WITHOUT_GMP
-#include <Eigen/Core>
 #include <type_traits>
 
-// cpp_int reads containers of bytes; Boost 1.74 fails to compile when it asks whether a matrix (its iterator
-// is void) is one.
+// cpp_int reads containers of bytes; Boost 1.74 fails to compile when it asks whether an expression of Eigen (its
+// iterator is void) is one.
 template <class Expression>
-requires std::is_base_of_v<Eigen::EigenBase<Expression>, Expression>
+requires requires { typename Expression::StorageKind; }
 struct boost::multiprecision::detail::is_byte_container<Expression> : std::false_type {
 };
 #endif

@@ -5,22 +5,13 @@
 #include "burmester/geometry/random.hpp"
 #include "burmester/geometry/rational.hpp"
 #include "burmester/geometry/vector.hpp"
+#include "rounding_mode.hpp"
 
 namespace burmester {
 namespace {
 
 bool contains(const Interval& box, const Rational& x) {
   return Rational(box.inf()) <= x && x <= Rational(box.sup());
-}
-
-/// How doubles round, seen from a sum: CGAL sets the mode of the vector unit, which std::fegetround does not
-/// read.
-enum class Mode { nearest, upward, other };
-Mode mode() {
-  volatile double one = 1, tiny = 0x1p-60;
-  const double above = one + tiny, below = -one - tiny;
-  if (above == 1 && below == -1) return Mode::nearest;
-  return above > 1 && below == -1 ? Mode::upward : Mode::other;
 }
 
 // Fails where the compiler folded the division or nothing switched the rounding mode.
@@ -33,21 +24,21 @@ TEST(Interval, OneThirdHasPositiveWidth) {
 }
 
 TEST(Interval, RoundingModeIsRestored) {
-  ASSERT_EQ(mode(), Mode::nearest);
+  ASSERT_EQ(rounding_mode(), RoundingMode::nearest);
   {
     const UpwardRounding upward;
-    EXPECT_EQ(mode(), Mode::upward);
+    EXPECT_EQ(rounding_mode(), RoundingMode::upward);
     { const UpwardRounding inner; }
-    EXPECT_EQ(mode(), Mode::upward);
+    EXPECT_EQ(rounding_mode(), RoundingMode::upward);
   }
-  EXPECT_EQ(mode(), Mode::nearest);
+  EXPECT_EQ(rounding_mode(), RoundingMode::nearest);
   EXPECT_THROW(
       {
         const UpwardRounding upward;
         throw 1;
       },
       int);
-  EXPECT_EQ(mode(), Mode::nearest);
+  EXPECT_EQ(rounding_mode(), RoundingMode::nearest);
 }
 
 TEST(Interval, DoublesArePoints) {
