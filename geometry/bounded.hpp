@@ -102,7 +102,7 @@ constexpr T difference(const T& a, const T& b) {
 
 /// f of the arguments x, each turned into a T.
 template <class F, class T, std::size_t N>
-T evaluate(const std::array<double, N>& x) {
+inline T evaluate(const std::array<double, N>& x) {
   return [&]<std::size_t... i>(std::index_sequence<i...>) { return F{}(std::array<T, N>{T(x[i])...}); }
   (std::make_index_sequence<N>());
 }
@@ -110,14 +110,12 @@ T evaluate(const std::array<double, N>& x) {
 /// 1 or -1 if plain doubles prove it (rounding to nearest or upward), nothing otherwise; never 0. F: see
 /// ladder.hpp.
 template <class F, std::size_t N>
-std::optional<int> sign_by_doubles(const std::array<double, N>& x) {
+inline std::optional<int> sign_by_doubles(const std::array<double, N>& x) {
   constexpr int k = F{}(std::array<Depth, N>{}).value();
   static_assert(k <= 512, "the bound is proved for expressions of depth up to 512");
   constexpr double bound = k * (1 + 0x1p-40) * 0x1p-52;
   const Bounded f = evaluate<F, Bounded>(x);
-  const double error = bound * f.magnitude();
-  if (f.value() > error) return 1;
-  if (f.value() < -error) return -1;
+  if (std::abs(f.value()) > bound * f.magnitude()) return f.value() > 0 ? 1 : -1;
   return std::nullopt;
 }
 

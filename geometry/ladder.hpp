@@ -26,14 +26,14 @@ struct Sign {
   friend bool operator==(const Sign&, const Sign&) = default;
 };
 
-/// Defined in predicate.hpp.
+/// Defined in predicate.hpp. Cold: not worth inlining.
 template <class F, std::size_t N>
-Sign sign_beyond_doubles(const std::array<double, N>& x);
+[[gnu::cold]] Sign sign_beyond_doubles(const std::array<double, N>& x);
 
 /// The sign of F(x) and the rung that decided it. Doubles never prove a zero, intervals only where nothing
 /// was rounded.
 template <class F, std::size_t N>
-Sign exact_sign(const std::array<double, N>& x) {
+inline Sign exact_sign(const std::array<double, N>& x) {
   if (const std::optional<int> sign = sign_by_doubles<F>(x)) return {*sign, Rung::doubles};
   return sign_beyond_doubles<F>(x);
 }
