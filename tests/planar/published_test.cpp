@@ -166,7 +166,7 @@ TEST(Hayes2004, SecondSurfaceIsASlider) {
   int seen = 0;
   for (const auto& found : report.dyads) {
     std::optional<LineRecord> line;
-    Vector2 moving;
+    Vector2 moving = Vector2::Zero();
     if (const auto* pr = std::get_if<PR::Design>(&found.design))
       line = pr->line.record(), moving = pr->moving;
     if (const auto* rr = std::get_if<RR::Design>(&found.design);
