@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <utility>
 #include <vector>
 
@@ -98,13 +99,14 @@ class QuadricSections {
  public:
   using Form = BinaryForm<T>;
 
+  /// Precondition: neither quadric is zero.
   QuadricSections(const Quadric<T>& a, const Quadric<T>& b, const PlanePencil<T>& planes)
       : planes_(planes), conic_{sections(a), sections(b)} {
     chord_ = true;
     for (const auto& [i, k] : {std::pair(0, 1), std::pair(0, 5), std::pair(1, 5)})
       chord_ = chord_ &&
                difference_of_products<T>(on_axis(0, i), on_axis(1, k), on_axis(0, k), on_axis(1, i)) == 0;
-    if (chord_) find_radical_line();
+    if (chord_) find_radical_line(size_of(a), size_of(b));
   }
 
   const PlanePencil<T>& planes() const { return planes_; }
@@ -118,15 +120,17 @@ class QuadricSections {
     for (int k = 0; k < 6; ++k) out.q[k] = conic_[which].q[k](s, t);
     return out;
   }
-  /// Which of the two conics the radical line belongs to: the one with the larger form on the axis.
+  /// Which of the two conics the radical line belongs to: the one with the larger form on the
+  /// axis, relative to its quadric.
   int leading() const { return leading_; }
   /// Precondition: the axis is a chord.
   LinearForm<T> radical_line(const T& s, const T& t) const {
     return {line_[0](s, t), line_[1](s, t), line_[2](s, t)};
   }
 
-  /// Degree 4 where the axis is a chord: positive where the plane holds two real points. Else degree 8:
-  /// positive for none or four real points, negative for two.
+  /// Degree 4 where the axis is a chord: positive where the plane holds two real points (a square where both
+  /// quadrics hold the axis, and there is always one point beside it). Else degree 8: positive for none or
+  /// four real points, negative for two.
   Form discriminant() const {
     if (chord_) {
       const auto& [l, m, n] = line_;
@@ -148,15 +152,16 @@ class QuadricSections {
   }
   const T& on_axis(int which, int k) const { return conic_[which].q[k].c[0]; }
 
-  /// With A = a f and B = b f on the axis, |a| >= |b|: a B - b A = gamma l.
-  void find_radical_line() {
+  /// With A = a f and B = b f on the axis: a B - b A = gamma l. Where A leads, its points on l
+  /// are points of B up to the roundings of l over a.
+  void find_radical_line(double size_a, double size_b) {
     std::array<double, 2> largest{};
     std::array<int, 2> at{};
     for (int which = 0; which < 2; ++which)
       for (const int k : {0, 1, 5})
         if (const double size = std::abs(approximate(on_axis(which, k))); size > largest[which])
           largest[which] = size, at[which] = k;
-    leading_ = largest[1] > largest[0];
+    leading_ = largest[1] * size_a > largest[0] * size_b;
     const int k = at[leading_];
     common_ = on_axis(leading_, k) == 0;
     const Form own = common_ ? Form(1) : conic_[leading_].q[k], other = conic_[1 - leading_].q[k];

@@ -190,6 +190,25 @@ TEST(PointsInPlane, OfAChordAreTwoWhereTheDiscriminantIsPositive) {
   EXPECT_GT(with_points, 200);
 }
 
+/// Scaling either quadric by a power of two moves no point: nothing is rounded otherwise.
+TEST(PointsInPlane, DoNotDependOnTheScaleOfTheForms) {
+  Random random("PointsInPlane.DoNotDependOnTheScaleOfTheForms");
+  const auto planes = standard_pencil<double>();
+  for (int i = 0; i < 200; ++i) {
+    const auto [a, b] = random_chord_pair(random);
+    const double t = random.normal();
+    const SectionPoints found = points_in_plane({a, b, planes}, 1, t);
+    for (const double factor : {0x1p-40, 0x1p60}) {
+      const SectionPoints other = points_in_plane({a, scaled(b, factor), planes}, 1, t);
+      ASSERT_EQ(other.count, found.count) << i;
+      for (std::size_t k = 0; k < 2 && static_cast<int>(k) < found.count; ++k) {
+        const Point<double> u = found.point[k].normalized(), v = other.point[k].normalized();
+        EXPECT_EQ(std::min((u - v).norm(), (u + v).norm()), 0) << i;
+      }
+    }
+  }
+}
+
 /// The exact count of the exact section conics, and the sign of the discriminant: positive for 0 or 4,
 /// negative for 2.
 TEST(PointsInPlane, OfAnyAxisAreAsManyAsTheConicsHave) {
