@@ -1,4 +1,4 @@
-// Signature of a symmetric 3 x 3 matrix: positive minus negative squares (Sylvester's law of inertia).
+// Signature of a small symmetric matrix: positive minus negative squares (Sylvester's law of inertia).
 #pragma once
 
 #include <cmath>
@@ -17,18 +17,18 @@ struct Inertia {
 
 /// By symmetric elimination, largest diagonal entry first. Nothing where the number type cannot tell a sign. Exact over
 /// exact types; there a zero diagonal with entries beside it is made non-zero by a congruence.
-template <class T>
-std::optional<Inertia> inertia(Matrix<T, 3, 3> m) {
+template <class T, int N>
+std::optional<Inertia> inertia(Matrix<T, N, N> m) {
   Inertia out;
-  for (int k = 0; k < 3; ++k) {
+  for (int k = 0; k < N; ++k) {
     int p = k;
-    for (int i = k + 1; i < 3; ++i)  // approximate() may underflow to 0 where an exact entry is not
+    for (int i = k + 1; i < N; ++i)  // approximate() may underflow to 0 where an exact entry is not
       if (std::abs(approximate(m(i, i))) > std::abs(approximate(m(p, p))) || known_sign(m(p, p)) == 0) p = i;
-    for (int i = k; i < 3 && known_sign(m(p, p)) == 0; ++i)
-      for (int j = i + 1; j < 3; ++j) {
+    for (int i = k; i < N && known_sign(m(p, p)) == 0; ++i)
+      for (int j = i + 1; j < N; ++j) {
         if (known_sign(m(i, j)) == 0) continue;
-        for (int c = 0; c < 3; ++c) m(i, c) += m(j, c);
-        for (int r = 0; r < 3; ++r) m(r, i) += m(r, j);
+        for (int c = 0; c < N; ++c) m(i, c) += m(j, c);
+        for (int r = 0; r < N; ++r) m(r, i) += m(r, j);
         p = i;
         break;
       }
@@ -39,9 +39,9 @@ std::optional<Inertia> inertia(Matrix<T, 3, 3> m) {
     if (*sign == 0) return out;  // exact types: the rest is zero
     ++out.rank;
     out.signature += *sign;
-    for (int r = k + 1; r < 3; ++r) {
+    for (int r = k + 1; r < N; ++r) {
       const T factor = m(r, k) / m(k, k);
-      for (int c = k + 1; c < 3; ++c) m(r, c) -= factor * m(k, c);
+      for (int c = k + 1; c < N; ++c) m(r, c) -= factor * m(k, c);
     }
   }
   return out;
