@@ -27,41 +27,12 @@
 #include <utility>
 #include <vector>
 
+#include "burmester/geometry/binary_form.hpp"
 #include "burmester/geometry/common_points.hpp"
 #include "burmester/geometry/error_free.hpp"
 #include "burmester/geometry/quadric.hpp"
 
 namespace burmester {
-
-/// c[0] s^n + c[1] s^(n-1) t + .. + c[n] t^n. Sums are of equal degrees.
-template <class T>
-struct BinaryForm {
-  std::vector<T> c;
-
-  BinaryForm(int constant = 0) : c{T(constant)} {}  // implicit: the formulas of conic.hpp write 2 * x
-  explicit BinaryForm(std::vector<T> coefficients) : c(std::move(coefficients)) {}
-
-  int degree() const { return static_cast<int>(c.size()) - 1; }
-  T operator()(const T& s, const T& t) const {
-    T value = c[0], power = t;
-    for (std::size_t k = 1; k < c.size(); ++k, power *= t) value = value * s + c[k] * power;
-    return value;
-  }
-  friend BinaryForm operator+(BinaryForm a, const BinaryForm& b) {
-    for (std::size_t k = 0; k < a.c.size(); ++k) a.c[k] += b.c[k];
-    return a;
-  }
-  friend BinaryForm operator-(BinaryForm a, const BinaryForm& b) {
-    for (std::size_t k = 0; k < a.c.size(); ++k) a.c[k] -= b.c[k];
-    return a;
-  }
-  friend BinaryForm operator*(const BinaryForm& a, const BinaryForm& b) {
-    BinaryForm out(std::vector<T>(a.c.size() + b.c.size() - 1, T(0)));
-    for (std::size_t i = 0; i < a.c.size(); ++i)
-      for (std::size_t k = 0; k < b.c.size(); ++k) out.c[i + k] += a.c[i] * b.c[k];
-    return out;
-  }
-};
 
 template <class T>
 struct PlanePencil {

@@ -1,0 +1,99 @@
+// Binary forms of degree at most eight: f(u0, u1) = sum c[k] u0^(n-k) u1^k, functions on the projective line.
+#pragma once
+
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "burmester/geometry/number.hpp"
+#include "burmester/geometry/sign.hpp"
+#include "burmester/geometry/vector.hpp"
+
+namespace burmester {
+
+/// A point (u0 : u1) of the projective line.
+template <class T>
+using Point1 = Vector<T, 2>;
+
+template <class T>
+struct BinaryForm {
+  static constexpr std::size_t highest_degree = 8;
+  std::size_t degree = 0;
+  std::array<T, highest_degree + 1> c;  ///< those behind c[degree] are zero
+
+  BinaryForm(int constant = 0) {  // implicit: the formulas of conic.hpp write 2 * x
+    c.fill(T(0));
+    c[0] = T(constant);
+  }
+  /// Degree: one less than there are coefficients.
+  explicit BinaryForm(const std::vector<T>& coefficients) : BinaryForm() {
+    degree = coefficients.size() - 1;
+    for (std::size_t k = 0; k <= degree; ++k) c[k] = coefficients[k];
+  }
+  static BinaryForm constant(const T& value) { return BinaryForm(std::vector<T>{value}); }
+  /// The linear form that vanishes at u.
+  static BinaryForm vanishing_at(const Point1<T>& u) { return BinaryForm(std::vector<T>{u[1], T(-u[0])}); }
+
+  std::vector<T> coefficients() const { return {c.begin(), c.begin() + static_cast<std::ptrdiff_t>(degree) + 1}; }
+
+  T operator()(const T& u0, const T& u1) const {
+    T value = c[0], power = u1;
+    for (std::size_t k = 1; k <= degree; ++k) {
+      value = value * u0 + c[k] * power;
+      if (k < degree) power = power * u1;
+    }
+    return value;
+  }
+  T operator()(const Point1<T>& u) const { return (*this)(u[0], u[1]); }
+  /// Known to be zero in every coefficient.
+  bool is_zero() const {
+    for (std::size_t k = 0; k <= degree; ++k)
+      if (known_sign(c[k]) != 0) return false;
+    return true;
+  }
+
+  friend BinaryForm operator*(const BinaryForm& f, const BinaryForm& g) {
+    BinaryForm out;
+    out.degree = f.degree + g.degree;
+    assert(out.degree <= highest_degree);
+    for (std::size_t i = 0; i <= f.degree; ++i)
+      for (std::size_t k = 0; k <= g.degree; ++k) out.c[i + k] += f.c[i] * g.c[k];
+    return out;
+  }
+  /// Precondition of sums: equal degrees.
+  friend BinaryForm operator+(BinaryForm f, const BinaryForm& g) {
+    for (std::size_t k = 0; k <= f.degree; ++k) f.c[k] += g.c[k];
+    return f;
+  }
+  friend BinaryForm operator-(BinaryForm f, const BinaryForm& g) {
+    for (std::size_t k = 0; k <= f.degree; ++k) f.c[k] -= g.c[k];
+    return f;
+  }
+
+  /// f / vanishing_at(u) for a root u of f; the remainder is dropped. In the direction in which roundings do not grow.
+  BinaryForm divided_by_root(const Point1<T>& u) const {
+    BinaryForm q;
+    q.degree = degree - 1;
+    if (std::abs(approximate(u[0])) >= std::abs(approximate(u[1]))) {
+      q.c[degree - 1] = -c[degree] / u[0];
+      for (std::size_t k = degree - 1; k > 0; --k) q.c[k - 1] = (u[1] * q.c[k] - c[k]) / u[0];
+    } else {
+      q.c[0] = c[0] / u[1];
+      for (std::size_t k = 1; k < degree; ++k) q.c[k] = (c[k] + u[0] * q.c[k - 1]) / u[1];
+    }
+    return q;
+  }
+};
+
+/// The coefficients in another number type.
+template <class To, class From, class Convert>
+BinaryForm<To> converted(const BinaryForm<From>& f, Convert convert) {
+  BinaryForm<To> out;
+  out.degree = f.degree;
+  for (std::size_t k = 0; k <= f.degree; ++k) out.c[k] = convert(f.c[k]);
+  return out;
+}
+
+}  // namespace burmester

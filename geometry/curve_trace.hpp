@@ -1,0 +1,49 @@
+// Tracing a cubic, alone or with a partner curve, into polylines with a proved error. Only for targets that compile
+// intervals.
+//
+// A chord is accepted when the tube test (curve_tube.hpp) proves that the curve is a graph over it within the tolerance,
+// or, near singular points, when the whole part of the branch lies in a box smaller than the tolerance; otherwise it is
+// halved. So chords are short where the curve bends. Parts outside the window are left out only where a box proves
+// that they are outside.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "burmester/geometry/correlations.hpp"
+#include "burmester/geometry/cubic_branches.hpp"
+#include "burmester/geometry/curve_tube.hpp"
+
+namespace burmester {
+
+struct TraceOptions {
+  double tolerance = 1e-4;  ///< largest max_error: a length, on the sphere an angle in radians
+  double longest = 0.25;    ///< longest chord, in the same unit
+  double window = 10;       ///< in the plane: |x| and |y| up to this, of partners too
+  int most_samples = 100000;  ///< for each branch; pieces end where more would be needed
+};
+
+/// The curve of the partners: of the points p of the traced curve, c with p^T N c = 0 for three correlations N.
+struct PartnerCurve {
+  std::array<Correlation<double>, 3> approximate;
+  std::array<Correlation<Interval>, 3> enclosing;
+  TubeCurve curve;
+};
+
+/// What the tube test needs of a cubic whose coefficients lie in intervals.
+TubeCurve tube_curve(const Cubic<Interval>& f);
+/// Below an UpwardRounding.
+PartnerCurve partner_curve(const std::array<Correlation<Interval>, 3>& n);
+
+/// All branches within the window, components numbered as in `traced`. `curve` is the form whose branches they are.
+/// A piece ends where it leaves the window; no point is more than 2 % outside. Below an UpwardRounding.
+std::vector<CurvePiece> trace_in_plane(const CubicBranches& traced, const TubeCurve& curve,
+                                       const std::optional<PartnerCurve>& partner, const TraceOptions& options);
+
+/// The cone, met by the unit sphere: each branch once as one closed piece. A branch that a great circle meets an odd
+/// number of times runs through both opposite points of each of its axes. Below an UpwardRounding.
+std::vector<CurvePiece> trace_on_sphere(const CubicBranches& traced, const TubeCurve& curve,
+                                        const std::optional<PartnerCurve>& partner, const TraceOptions& options);
+
+}  // namespace burmester

@@ -1,0 +1,276 @@
+#include "burmester/geometry/curve_trace.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cfenv>
+#include <cmath>
+#include <map>
+#include <thread>
+
+#include "burmester/geometry/random.hpp"
+#include "cubics.hpp"
+#include "curve_corpus.hpp"
+#include "positions.hpp"
+
+using namespace burmester;
+using namespace burmester::corpus;
+
+namespace {
+
+using Point = Point2<double>;
+
+int exact_sign(const Cubic<Rational>& f, const Point& p) { return *known_sign(f(cast<Rational>(p))); }
+
+/// Whether the curve meets the disc of radius e about p: exactly, where F changes its sign between two of its points.
+bool meets_disc(const Cubic<Rational>& f, const Point& p, double e) {
+  e += 0x1p-50 * p.norm();  // p itself is rounded
+  Cubic<double> rounded;
+  for (std::size_t k = 0; k < 10; ++k) rounded.c[k] = approximate(f.c[k]);
+  const Vector<double, 3> gradient = rounded.gradient(p);
+  Vector<double, 3> u = p.unitOrthogonal(), v = p.cross(u).normalized();
+  if (p[2] == 1) u = {1, 0, 0}, v = {0, 1, 0};
+  const double along_u = gradient.dot(u), along_v = gradient.dot(v), size = std::hypot(along_u, along_v);
+  if (size > 0) {
+    const Vector<double, 3> n = (along_u * u + along_v * v) / size * e;
+    if (exact_sign(f, p + n) * exact_sign(f, p - n) <= 0) return true;
+  }
+  const int sign = exact_sign(f, p);
+  for (double angle = 0; angle < 6.2; angle += 0.3)
+    if (exact_sign(f, p + e * (std::cos(angle) * u + std::sin(angle) * v)) != sign) return true;
+  return false;
+}
+
+double distance_to_chord(const Point& p, const Point& a, const Point& b) {
+  const Vector<double, 3> d = b - a;
+  const double t = std::clamp(d.dot(p - a) / d.squaredNorm(), 0.0, 1.0);
+  return (p - a - t * d).norm();
+}
+
+double distance_to_pieces(const Point& p, const std::vector<CurvePiece>& pieces, bool partners) {
+  double best = 1e300;
+  for (const CurvePiece& piece : pieces) {
+    const auto& points = partners ? piece.partners : piece.points;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      if (k + 1 == points.size() && !piece.closed) break;
+      best = std::min(best, distance_to_chord(p, points[k], points[(k + 1) % points.size()]));
+    }
+  }
+  return best;
+}
+
+/// Random points of the chords of a piece.
+template <class Use>
+void for_points_on_chords(const std::vector<Point>& points, bool closed, Random& random, Use use) {
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (k + 1 == points.size() && !closed) return;
+    const double t = random.uniform();
+    use(Point((1 - t) * points[k] + t * points[(k + 1) % points.size()]));
+  }
+}
+
+struct Traced {
+  CubicBranches branches;
+  std::optional<PartnerCurve> partner;
+  std::vector<CurvePiece> pieces;
+};
+
+Traced trace_plane_positions(const std::array<FourDoubles, 3>& d, const TraceOptions& options) {
+  const UpwardRounding upward;
+  const auto n = equidistant_in_plane<Interval>(d);
+  const Cubic<Interval> f = points_with_partner(n);
+  Traced out{branches_by_intervals(f, vertex(n[0])).value(), partner_curve(n), {}};
+  out.pieces = trace_in_plane(out.branches, tube_curve(f), out.partner, options);
+  return out;
+}
+
+std::array<FourDoubles, 3> random_positions(Random& random, FourDoubles make(Random&)) {
+  return {make(random), make(random), make(random)};
+}
+
+std::array<Correlation<Rational>, 3> transposed(const std::array<Correlation<Rational>, 3>& n) {
+  return {n[0].transpose(), n[1].transpose(), n[2].transpose()};
+}
+
+}  // namespace
+
+TEST(CurveTrace, EveryPointOfThePolylineIsWithinTheErrorOfTheCurve) {
+  Random random("CurveTrace.EveryPointOfThePolylineIsWithinTheErrorOfTheCurve");
+  int checked = 0;
+  for (int k = 0; k < 60; ++k) {
+    const auto d = random_positions(random, random_plane_displacement);
+    const auto n = equidistant_in_plane<Rational>(d);
+    const Cubic<Rational> moving = points_with_partner(n), fixed = points_with_partner(transposed(n));
+    for (const double tolerance : {1e-3, 1e-5}) {
+      for (const CurvePiece& piece : trace_plane_positions(d, {tolerance, 0.5, 5}).pieces) {
+        ASSERT_LE(piece.max_error, tolerance);
+        ASSERT_EQ(piece.points.size(), piece.partners.size());
+        const double e = piece.max_error * (1 + 1e-9);
+        for_points_on_chords(piece.points, piece.closed, random, [&](const Point& p) { ASSERT_TRUE(meets_disc(moving, p, e)) << k; ++checked; });
+        for_points_on_chords(piece.partners, piece.closed, random, [&](const Point& p) { ASSERT_TRUE(meets_disc(fixed, p, e)) << k; ++checked; });
+      }
+    }
+  }
+  EXPECT_GT(checked, 100000);
+}
+
+TEST(CurveTrace, EveryPointOfTheCurveInTheWindowIsWithinTheErrorOfThePolyline) {
+  Random random("CurveTrace.EveryPointOfTheCurveInTheWindowIsWithinTheErrorOfThePolyline");
+  int checked = 0;
+  for (int k = 0; k < 40; ++k) {
+    const TraceOptions options{1e-3, 0.5, 5};
+    const Traced traced = trace_plane_positions(random_positions(random, random_plane_displacement), options);
+    double error = 0;
+    for (const CurvePiece& piece : traced.pieces) error = std::max(error, piece.max_error);
+    for (const CubicBranch& branch : traced.branches.branches)
+      for (const CubicBranch::Passage& passage : branch.passages)
+        for (int n = 0; n < 50; ++n) {
+          const Point p = branch.approximate(random.uniform(-1, 1), passage.sheet), c = partner(traced.partner->approximate, p);
+          const auto inside = [&](const Point& x) { return std::max(std::abs(x[0]), std::abs(x[1])) < options.window * std::abs(x[2]); };
+          if (!inside(p) || !inside(c)) continue;
+          ++checked;
+          EXPECT_LT(distance_to_pieces(p / p[2], traced.pieces, false), error + 1e-9) << k;
+          EXPECT_LT(distance_to_pieces(c / c[2], traced.pieces, true), error + 1e-9) << k;
+        }
+  }
+  EXPECT_GT(checked, 1500);
+}
+
+TEST(CurveTrace, PairedPointsAreEquidistantInAllPositions) {
+  Random random("CurveTrace.PairedPointsAreEquidistantInAllPositions");
+  for (int k = 0; k < 50; ++k) {
+    const auto d = random_positions(random, random_plane_displacement);
+    for (const CurvePiece& piece : trace_plane_positions(d, {1e-4, 0.5, 5}).pieces)
+      for (std::size_t i = 0; i < piece.points.size(); ++i) {
+        const double x = piece.points[i][0], y = piece.points[i][1], cx = piece.partners[i][0], cy = piece.partners[i][1];
+        const double length = std::hypot(x - cx, y - cy);
+        for (const FourDoubles& pose : d) {
+          const double cosine = pose[3] * pose[3] - pose[2] * pose[2], sine = 2 * pose[2] * pose[3];
+          const double moved = std::hypot(pose[0] + cosine * x - sine * y - cx, pose[1] + sine * x + cosine * y - cy);
+          EXPECT_NEAR(moved, length, 1e-9 * (1 + length)) << k;
+        }
+      }
+  }
+}
+
+TEST(CurveTrace, CorpusCurvesAreTracedThroughTheirSingularPoints) {
+  for (const CorpusCurve& c : corpus_cubics()) {
+    if (!c.on_curve || c.repeated) continue;
+    const Cubic<Rational> exact = cubic_of<Rational>(c.curve);
+    const CubicBranches branches = branches_by_rationals(exact, cast<Rational>(*c.on_curve));
+    const UpwardRounding upward;
+    const auto pieces = trace_in_plane(branches, tube_curve(cubic_of<Interval>(c.curve)), std::nullopt, {1e-3, 0.5, 4});
+    Random random("CurveTrace." + c.name);
+    std::map<int, int> closed, open;
+    for (const CurvePiece& piece : pieces) {
+      ++(piece.closed ? closed : open)[piece.component];
+      EXPECT_TRUE(piece.partners.empty());
+      if (c.name.find("tangent") != std::string::npos) continue;  // where branches touch, F hardly changes its sign
+      for_points_on_chords(piece.points, piece.closed, random, [&](const Point& p) { ASSERT_TRUE(meets_disc(exact, p, piece.max_error * (1 + 1e-9))) << c.name; });
+    }
+    for (const CubicBranch& branch : branches.branches)
+      for (const CubicBranch::Passage& passage : branch.passages)
+        for (int n = 0; n < 100; ++n) {
+          const Point p = branch.approximate(random.uniform(-1, 1), passage.sheet);
+          if (std::max(std::abs(p[0]), std::abs(p[1])) > 3.99 * std::abs(p[2])) continue;
+          EXPECT_LT(distance_to_pieces(p / p[2], pieces, false), 1.001e-3) << c.name;
+        }
+  }
+}
+
+TEST(CurveTrace, AnOvalIsOneClosedPiece) {
+  // y^2 = x (x - 1) (x + 1): the oval is in -1 <= x <= 0
+  const PlaneCurve f = weierstrass(0, -1, 0);
+  const CubicBranches branches = branches_by_rationals(cubic_of<Rational>(f), cast<Rational>(Point(0, 1, 0)));
+  const UpwardRounding upward;
+  const auto pieces = trace_in_plane(branches, tube_curve(cubic_of<Interval>(f)), std::nullopt, {1e-4, 0.1, 3});
+  ASSERT_EQ(pieces.size(), 2u);
+  for (const CurvePiece& piece : pieces) {
+    const bool oval = piece.points.front()[0] < 0.5;
+    EXPECT_EQ(piece.closed, oval);
+    for (const Point& p : piece.points) EXPECT_EQ(p[0] < 0.5, oval);
+  }
+  EXPECT_NE(pieces[0].component, pieces[1].component);
+}
+
+TEST(CurveTrace, OnTheSphereEachBranchIsOneClosedPieceWithinItsError) {
+  Random random("CurveTrace.OnTheSphereEachBranchIsOneClosedPieceWithinItsError");
+  for (int k = 0; k < 30; ++k) {
+    const auto d = random_positions(random, random_rotation);
+    const auto exact = equidistant_on_sphere<Rational>(d);
+    const Cubic<Rational> moving = points_with_partner(exact), fixed = points_with_partner(transposed(exact));
+    const UpwardRounding upward;
+    const auto n = equidistant_on_sphere<Interval>(d);
+    const Cubic<Interval> f = points_with_partner(n);
+    const auto branches = branches_by_intervals(f, vertex(n[0]));
+    ASSERT_TRUE(branches);
+    const auto pieces = trace_on_sphere(*branches, tube_curve(f), partner_curve(n), {1e-4, 0.2});
+    ASSERT_EQ(pieces.size(), branches->branches.size());
+    int odd = 0;
+    for (const CurvePiece& piece : pieces) {
+      EXPECT_TRUE(piece.closed);
+      EXPECT_LE(piece.max_error, 1e-4);
+      const std::size_t size = piece.points.size();
+      odd += size % 2 == 0 && (piece.points[0] + piece.points[size / 2]).norm() < 1e-12;
+      for (std::size_t i = 0; i < size; ++i) {
+        EXPECT_NEAR(piece.points[i].norm(), 1, 1e-14);
+        EXPECT_LT((piece.points[i] - piece.points[(i + 1) % size]).norm(), 0.21) << k;
+        EXPECT_LT((piece.partners[i] - piece.partners[(i + 1) % size]).norm(), 0.21) << k;
+      }
+      const double e = piece.max_error * (1 + 1e-9);
+      for_points_on_chords(piece.points, true, random, [&](const Point& p) { ASSERT_TRUE(meets_disc(moving, p.normalized(), e)) << k; });
+      for_points_on_chords(piece.partners, true, random, [&](const Point& p) { ASSERT_TRUE(meets_disc(fixed, p.normalized(), e)) << k; });
+    }
+    EXPECT_EQ(odd, 1) << "the odd branch comes back to the opposite point; " << k;
+  }
+}
+
+TEST(CurveTrace, TheTubeOfAChordOfACircleIsItsSagitta) {
+  Cubic<double> f;  // z (x^2 + y^2 - z^2)
+  f.c[2] = 1, f.c[7] = 1, f.c[9] = -1;
+  const TubeCurve circle(f);
+  for (const double angle : {0.001, 0.01, 0.1, 0.3}) {
+    const Point x(1, 0, 1), y(std::cos(angle), std::sin(angle), 1), n(std::cos(angle / 2), std::sin(angle / 2), 0);
+    const auto radius = tube_radius(circle, TubePoint(x, circle), TubePoint(y, circle), n);
+    ASSERT_TRUE(radius) << angle;
+    EXPECT_GE(*radius, 1 - std::cos(angle / 2));
+    EXPECT_LE(*radius, 1.5 * (1 - std::cos(angle / 2)) + 1e-14) << angle;
+  }
+}
+
+TEST(CurveTrace, TheTubeTestRefusesChordsAcrossANodeAndBetweenBranches) {
+  const TubeCurve node(cubic_of<double>(weierstrass(1, 0, 0)));  // y^2 = x^2 (x + 1), slopes 1 and -1 at the node
+  const auto point = [&](double x, double sign) { return TubePoint({x, sign * x * std::sqrt(x + 1), 1}, node); };
+  const Vector<double, 3> along(-std::sqrt(0.5), std::sqrt(0.5), 0), across(0, 1, 0);
+  EXPECT_FALSE(tube_radius(node, point(-0.01, 1), point(0.01, 1), along));
+  EXPECT_FALSE(tube_radius(node, point(0.1, 1), point(0.1, -1), Vector<double, 3>(1, 0, 0)));
+  EXPECT_FALSE(tube_radius(node, point(0.1, 1), point(0.11, -1), across));
+  EXPECT_TRUE(tube_radius(node, point(0.1, 1), point(0.11, 1), along));
+}
+
+TEST(CurveTrace, ErrorsOfTheCoefficientsCount) {
+  Cubic<double> f;
+  f.c[2] = 1, f.c[7] = 1, f.c[9] = -1;
+  const TubeCurve exact(f), vague(f, 1e-6), hopeless(f, 0.5);
+  const Point x(1, 0, 1), y(std::cos(0.01), std::sin(0.01), 1), n(std::cos(0.005), std::sin(0.005), 0);
+  const auto sharp = tube_radius(exact, TubePoint(x, exact), TubePoint(y, exact), n), wide = tube_radius(vague, TubePoint(x, vague), TubePoint(y, vague), n);
+  ASSERT_TRUE(sharp && wide);
+  EXPECT_GT(*wide, *sharp + 1e-6);  // a circle of radius 1 +- 1e-6 or so
+  EXPECT_FALSE(tube_radius(hopeless, TubePoint(x, hopeless), TubePoint(y, hopeless), n));
+}
+
+TEST(CurveTrace, TwoThreadsTraceAlikeAndTheRoundingModeIsRestored) {
+  const auto trace = [] {
+    Random random("CurveTrace.TwoThreads");
+    std::vector<CurvePiece> all;
+    for (int k = 0; k < 20; ++k)
+      for (CurvePiece& piece : trace_plane_positions(random_positions(random, random_plane_displacement), {1e-4, 0.5, 5}).pieces) all.push_back(std::move(piece));
+    return all;
+  };
+  std::vector<CurvePiece> one, two;
+  std::thread first([&] { one = trace(); }), second([&] { two = trace(); });
+  first.join(), second.join();
+  EXPECT_EQ(std::fegetround(), FE_TONEAREST);
+  ASSERT_EQ(one.size(), two.size());
+  for (std::size_t k = 0; k < one.size(); ++k) EXPECT_EQ(one[k].points, two[k].points);
+}
