@@ -228,6 +228,9 @@ inline std::vector<CorpusCurve> corpus_quartics() {
       {"conic and two complex lines", conic(1, 4, 0) * conic(4, 1, -4), 2, 1, 1, 0, 0, 1, 0, 2},
       {"conic and two irrational lines", conic(1, 1, -1) * conic(1, -2, 0), 1, 0, 0, 5, 0, 0, 2, 1},
       {"double circle", power(circle(1, 2, 3), 2), 1, 1, 0, 0, 0, 0, 0, 1, {}, true},
+      {"singular but smooth to the eye: y^3 = x^4", power(y, 3) * z + power(x, 4) * -1.0, 1, 0, 0, 0, 1},
+      // y z = +-i x^2: two complex conics that touch in two real points.
+      {"two complex conics", power(y * z, 2) + power(x, 4), 2, 0, 2, 0, 0, 2},
       // (x^2 - z^2)^2 = 2 y^4: x^2 - z^2 = +-sqrt(2) y^2, two hyperbola-like conics that touch at (1 : 0 :
       // +-1).
       {"two irrational conics", power(conic(1, 0, -1), 2) + power(y, 4) * -2.0, 1, 0, 0, 2},
