@@ -14,33 +14,34 @@
 
 namespace burmester {
 
+/// By the number of real half-branches that end in the point.
 enum class SingularKind {
-  crossing,  ///< node: two or more real branches cross
-  isolated,  ///< a point of the curve with no other real point near it
-  cusp,      ///< one real branch, with a cusp or smooth in appearance
-  other
+  isolated,  ///< 0: a point of the curve with no other real point near it
+  cusp,      ///< 2: one real branch, with a cusp or smooth in appearance
+  crossing   ///< 4 or more: real branches that cross or touch each other
 };
 
 struct SingularPoint {
-  Point2<double> at;
-  SingularKind kind = SingularKind::other;
+  Point2<double> at;  ///< largest coordinate 1 or -1; third coordinate 0 iff at infinity
+  SingularKind kind = SingularKind::crossing;
 };
 
 struct PointAtInfinity {
   Point2<double> at;           ///< third coordinate 0
-  LinearForm<double> tangent;  ///< the asymptote; zero where the point is singular
+  LinearForm<double> tangent;  ///< the asymptote, largest entry 1 or -1; zero where the point is singular
 };
 
 struct CurveTopology {
   Rung rung = Rung::none;  ///< what proved it; none: not available, `reason` says why, the rest means nothing
   std::string reason;
+  bool repeated = false;  ///< a factor occurs more than once; all is about the curve with each factor once
   int components = 0;  ///< isolated points included
   int ovals = 0;       ///< components without singular points, not single points, met by lines an even number of times
   int isolated = 0;    ///< components that are one point
   std::vector<SingularPoint> singular;              ///< real ones
   std::vector<LinearForm<double>> lines;            ///< real lines that split off
   std::vector<Conic<double>> conics;                ///< real conics, irreducible over the reals, that split off
-  std::vector<PointAtInfinity> at_infinity;         ///< real ones
+  std::vector<PointAtInfinity> at_infinity;         ///< real ones; none listed if the line at infinity splits off
 };
 
 /// A part of a traced curve. Each point of the polyline is within max_error of the curve, and each point of the part of
