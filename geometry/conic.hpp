@@ -47,6 +47,14 @@ struct Conic {
   }
 };
 
+/// The symmetric matrix 2 M.
+template <class T>
+Matrix<T, 3, 3> matrix_of(const Conic<T>& c) {
+  Matrix<T, 3, 3> m;
+  m << T(2 * c.q[0]), c.q[5], c.q[4], c.q[5], T(2 * c.q[1]), c.q[3], c.q[4], c.q[3], T(2 * c.q[2]);
+  return m;
+}
+
 /// lambda A + mu B
 template <class T>
 Conic<T> pencil_member(const Conic<T>& a, const T& lambda, const Conic<T>& b, const T& mu) {

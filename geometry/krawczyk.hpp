@@ -52,35 +52,50 @@ Matrix<double, N, N> contraction(const Matrix<double, N, N>& Y, const Matrix<Int
 
 }  // namespace detail
 
-/// A box around z with exactly one zero; nothing where none could be proved (z is not near a simple zero, or the
-/// system's coefficients are too wide).
+/// Half widths of a box around the exact point z with exactly one zero; nothing where none could be proved (z is not
+/// near a simple zero, or the system's coefficients are too wide). `centre` encloses z, tightly, and `value` encloses F(z):
+/// where that was found with more precision than Interval has, the box is smaller than a rounding of z.
 template <class Interval, class System>
-std::optional<Box<System::size>> krawczyk(const System& system, const Vector<double, System::size>& z) {
+std::optional<Vector<double, System::size>> krawczyk_radius(const System& system,
+                                                            const Vector<Interval, System::size>& centre,
+                                                            const Vector<Interval, System::size>& value) {
   constexpr int N = System::size;
-  const Vector<Interval, N> centre = Box<N>{z, Vector<double, N>::Zero()}.template hull<Interval>();
+  using Radius = Vector<double, N>;
   const Matrix<Interval, N, N> J = system.jacobian(centre);
   Matrix<double, N, N> middle;
   for (int i = 0; i < N * N; ++i) middle(i) = approximate(J(i));
   const Matrix<double, N, N> Y = middle.inverse();
   if (!Y.allFinite()) return std::nullopt;
 
-  const Vector<Interval, N> f = system.value(centre);
-  Vector<double, N> step;
+  Radius step;
   for (int r = 0; r < N; ++r) {
-    Interval sum = Interval(Y(r, 0)) * f[0];
-    for (int k = 1; k < N; ++k) sum += Interval(Y(r, k)) * f[k];
+    Interval sum = Interval(Y(r, 0)) * value[0];
+    for (int k = 1; k < N; ++k) sum += Interval(Y(r, k)) * value[k];
     step[r] = magnitude(sum);
   }
   constexpr double outward = 1 + 0x1p-48;  // covers the roundings of a line of doubles below, whatever their mode
-  Box<N> box{z, 2 * step + Vector<double, N>::Constant(2 * step.maxCoeff() * 0x1p-10 + 1e-300)};
+  Radius radius = 2 * step + Radius::Constant(2 * step.maxCoeff() * 0x1p-10 + 1e-300);
   for (int attempt = 0; attempt < 4; ++attempt) {
-    const Matrix<double, N, N> M = detail::contraction<Interval, N>(Y, system.jacobian(box.template hull<Interval>()));
+    Vector<Interval, N> x;
+    for (int i = 0; i < N; ++i) x[i] = centre[i] + Interval(-radius[i], radius[i]);
+    const Matrix<double, N, N> M = detail::contraction<Interval, N>(Y, system.jacobian(x));
     if (!M.allFinite()) return std::nullopt;
-    const Vector<double, N> image = outward * (step + M * box.radius);
-    if ((image.array() < box.radius.array()).all()) return Box<N>{z, image};
-    box.radius = 2 * image + box.radius;
+    const Radius image = outward * (step + M * radius);
+    if ((image.array() < radius.array()).all()) return image;
+    radius = 2 * image + radius;
   }
   return std::nullopt;
+}
+
+/// The same around a point of doubles.
+template <class Interval, class System>
+std::optional<Box<System::size>> krawczyk(const System& system, const Vector<double, System::size>& z) {
+  Box<System::size> box{z, Vector<double, System::size>::Zero()};
+  const Vector<Interval, System::size> centre = box.template hull<Interval>();
+  const auto radius = krawczyk_radius<Interval>(system, centre, system.value(centre));
+  if (!radius) return std::nullopt;
+  box.radius = *radius;
+  return box;
 }
 
 }  // namespace burmester

@@ -51,8 +51,9 @@ struct RelativeTurn {
 /// quarter turn s (a4, -a3) of a, where X4 is the smaller), their difference is exact and nearly orthogonal to what it
 /// is multiplied with; and what is subtracted drops out of the exact result. Over double the relative error of the
 /// smaller one is then a few unit roundoffs; points of different norms take the error-free products.
-template <class T>
-RelativeTurn<T> relative_turn(const Pose& a, const Pose& b) {
+/// P: Pose, or one whose members are T.
+template <class T, class P>
+RelativeTurn<T> relative_turn(const P& a, const P& b) {
   const T a3(a.X3), a4(a.X4), b3(b.X3), b4(b.X4);
   RelativeTurn<T> turn{T(b3 * a4 - b4 * a3), T(b4 * a4 + b3 * a3)};
   const double sine = approximate(turn.X3), cosine = approximate(turn.X4);
@@ -100,8 +101,8 @@ inline constexpr double largest_noise = 0x1p-18;
 
 /// The row of equation (2) for the displacement from pose `a` (the reference) to pose `b`, times the norm of the
 /// relative image point and a power of two that makes its largest entry of order 1.
-template <class T>
-std::array<T, 7> anchored_row(const Pose& a, const Pose& b, const Anchor& anchor) {
+template <class T, class P>
+std::array<T, 7> anchored_row(const P& a, const P& b, const Anchor& anchor) {
   const auto [s, c] = relative_turn<T>(a, b);
   const double per_length = unit_scale(anchor.length), e = anchor.turn > 0 ? unit_scale(anchor.turn) : 1;
   const T x = (T(b.x) - T(a.x)) * T(per_length), y = (T(b.y) - T(a.y)) * T(per_length);
@@ -118,9 +119,9 @@ std::array<T, 7> anchored_row(const Pose& a, const Pose& b, const Anchor& anchor
   return row;
 }
 
-/// The four rows of equation (2).
-template <class T>
-Matrix<T, 4, 7> anchored_rows(FivePoses poses, const Anchor& anchor) {
+/// The four rows of equation (2); poses: FivePoses, or five whose members are T.
+template <class T, class Poses>
+Matrix<T, 4, 7> anchored_rows(const Poses& poses, const Anchor& anchor) {
   Matrix<T, 4, 7> rows;
   for (int j = 0, r = 0; j < 5; ++j) {
     if (j == anchor.reference) continue;

@@ -21,29 +21,29 @@ Line line_of(const FittedLine& fit) {
   return {normal, normal.dot(fit.centre)};
 }
 
-/// The best line through the places of a pivot, computed near the reference pose so that a far origin costs nothing.
-std::optional<Slider> PR_through(const Vector2& moving, FivePoses poses, const Pose& reference) {
-  if (!moving.allFinite()) return std::nullopt;
+/// The best line through the places of a pivot; place(pose, pivot) with poses seen from the reference pose's origin, so
+/// that a far origin costs nothing.
+template <class Place>
+std::optional<Slider> line_through(const char* type, const Vector2& pivot, FivePoses poses, const Pose& reference,
+                                   Place place) {
+  if (!pivot.allFinite()) return std::nullopt;
   std::array<Vector2, 5> places;
   for (int j = 0; j < 5; ++j) {
     const Pose& p = poses[j];
-    places[j] = to_fixed({p.x - reference.x, p.y - reference.y, p.X3, p.X4}, moving);
+    places[j] = place(Pose{p.x - reference.x, p.y - reference.y, p.X3, p.X4}, pivot);
   }
   const FittedLine fit = fit_line(places);
-  Line line = line_of(fit);
-  line.offset += line.normal.dot(Vector2(reference.x, reference.y));
-  return Slider{"PR", line, fit.departure};
+  return Slider{type, line_of(fit), fit.departure};
+}
+
+std::optional<Slider> PR_through(const Vector2& moving, FivePoses poses, const Pose& reference) {
+  auto slider = line_through("PR", moving, poses, reference, to_fixed);
+  if (slider) slider->line.offset += slider->line.normal.dot(Vector2(reference.x, reference.y));
+  return slider;
 }
 
 std::optional<Slider> RP_through(const Vector2& fixed, FivePoses poses, const Pose& reference) {
-  if (!fixed.allFinite()) return std::nullopt;
-  std::array<Vector2, 5> places;
-  for (int j = 0; j < 5; ++j) {
-    const Pose& p = poses[j];
-    places[j] = to_moving({p.x - reference.x, p.y - reference.y, p.X3, p.X4}, fixed);
-  }
-  const FittedLine fit = fit_line(places);
-  return Slider{"RP", line_of(fit), fit.departure};
+  return line_through("RP", fixed, poses, reference, to_moving);
 }
 
 std::optional<Slider> best_slider(const Vector2& moving, const Vector2& fixed, FivePoses poses, const Pose& reference) {

@@ -40,6 +40,10 @@ Verdict infinite(std::optional<int> dimension, std::string message) {
   return {Status::degenerate, {dimension, std::nullopt, std::nullopt, false}, std::move(message)};
 }
 
+Verdict nothing(std::string message) {
+  return {Status::none, {std::nullopt, std::nullopt, 0, false}, std::move(message)};
+}
+
 std::string family_message(const std::string& type, int real) {
   const std::string rest =
       real > 0 ? fmt::format("; besides it {}", plural(real, "isolated dyad", "isolated dyads")) : "";
@@ -62,21 +66,15 @@ Verdict verdict(FivePoseCase what, FivePoses poses, int real, const std::string&
                     fmt::format("the poses have two orientations only (3 + 2): two of the four dyads lie at infinity, {}",
                                 real > 0 ? plural(real, "real dyad remains", "real dyads remain")
                                          : "and of the other two none is real"));
-    case FivePoseCase::two_orientations_in_line: {
-      Verdict out{Status::none, {std::nullopt, std::nullopt, 0, false}, ""};
-      out.message = "no finite dyad exists: the poses have two orientations only (3 + 2), and the three parallel ones "
-                    "lie on a line";
-      return out;
-    }
+    case FivePoseCase::two_orientations_in_line:
+      return nothing("no finite dyad exists: the poses have two orientations only (3 + 2), and the three parallel ones "
+                     "lie on a line");
     case FivePoseCase::common_vertex:
       return {Status::degenerate,
               {0, 4, std::nullopt, false},
-              "all four dyads coincide within rounding of the poses: one of them is listed"};
-    case FivePoseCase::four_parallel: {
-      Verdict out{Status::none, {std::nullopt, std::nullopt, 0, false}, ""};
-      out.message = "no finite dyad exists: four of the five orientations are equal, the fifth is not";
-      return out;
-    }
+              "all four dyads coincide: one of them is listed"};
+    case FivePoseCase::four_parallel:
+      return nothing("no finite dyad exists: four of the five orientations are equal, the fifth is not");
     case FivePoseCase::all_parallel:
       return {Status::exact,
               {0, std::nullopt, 1, false},
@@ -92,6 +90,8 @@ Verdict verdict(FivePoseCase what, FivePoses poses, int real, const std::string&
       return infinite(std::nullopt,
                       "the five poses give fewer than four independent conditions: infinitely many dyads");
     case FivePoseCase::common_line: return infinite(1, family_message(family_type, real));
+    case FivePoseCase::empty_conic:
+      return nothing("no real dyad exists: the two conditions coincide and have no real solution");
     case FivePoseCase::whole_conic: return infinite(1, "a one-parameter family of dyads (the two conditions coincide)");
   }
   return {};

@@ -9,6 +9,7 @@
 
 #include <array>
 
+#include "burmester/geometry/quad.hpp"
 #include "burmester/geometry/range.hpp"
 #include "burmester/modules/framework/certificate.hpp"
 #include "burmester/planar/dyads.hpp"
@@ -28,13 +29,21 @@ struct DyadBox {
 struct CertifiedRoots {
   FivePoseRoots<double> roots;   ///< the roots to be listed: corrected where the fast solver's count was wrong
   std::array<DyadBox, 4> boxes;  ///< box of root i
+  std::array<Anchored<Quad>, 4> quad;  ///< sharp: root i in quad precision
   int count = -1;                ///< the proved number of real dyads; -1: not proved
   Rung count_rung = Rung::none;  ///< what proved it
   bool complete = false;         ///< count is proved, and so many disjoint boxes are
+  bool sharp = false;            ///< the boxes are smaller than the rounding of the numbers shown
+  bool degenerate = false;       ///< proved: the doubles are degenerate as roots.what says; boxes of all that is listed
 };
 
-/// For any five poses; degenerate ones come back as they were found, with nothing proved.
+/// For any five poses. Of degenerate ones the kind is proved, or else the number of real dyads of the doubles, if that is
+/// finite; two_orientations are proved like regular poses.
 CertifiedRoots certified_five_pose_roots(FivePoses poses);
+
+/// The same dyads from roots of quad precision and exact values of the equations: the boxes are then smaller than the
+/// rounding of what is shown. False, and nothing changed, where there is no complete answer to start from.
+bool sharpen(FivePoses poses, CertifiedRoots& certified);
 
 /// How far what `shown` states (pivots, length, line as in results; length units and radians, all together as one
 /// Euclidean distance) can be from the truth, given that the dyad is in the box. The line of a slider stands for the five true places of its pivot: its angle is off by at most

@@ -136,26 +136,25 @@ bool different(const Anchored<I>& a, const Anchored<I>& b) {
   return false;
 }
 
-/// One root in its box: as finite pivots where K0 is not small beside the rest, as a point of P^6 otherwise.
-template <class I>
-std::optional<Enclosed<I>> enclose_root(const Anchored<double>& w, const Matrix<I, 4, 7>& rows, const Anchor& anchor,
-                                        const Pose& reference) {
-  const I e(anchor.turn);
+/// One root in its box: as finite pivots where K0 is not small beside the rest, as a point of P^6 otherwise. `box(system,
+/// start)` is a box around the start, a vector of intervals I, or nothing; system(rows, e) makes the square system.
+template <class I, class T, class MakeBox>
+std::optional<Enclosed<I>> enclose_root(const Anchored<T>& w, const Anchor& anchor, const Pose& reference, MakeBox box) {
   int chart = 0;
   for (int k = 1; k < 7; ++k)
-    if (std::abs(w[k]) > std::abs(w[chart])) chart = k;
-  if (std::abs(w[0]) > 1e-5 * std::abs(w[chart])) {
-    const Vector<double, 4> start(w[3] / w[0], w[4] / w[0], w[1] / w[0], w[2] / w[0]);
-    if (const auto box = krawczyk<I>(FinitePivots<I>{rows, e}, start))
-      return finite_dyad(box->template hull<I>(), e, anchor, reference);
+    if (std::abs(approximate(w[k])) > std::abs(approximate(w[chart]))) chart = k;
+  if (std::abs(approximate(w[0])) > 1e-5 * std::abs(approximate(w[chart]))) {
+    const auto system = []<class N>(const Matrix<N, 4, 7>& rows, const N& e) { return FinitePivots<N>{rows, e}; };
+    const Vector<T, 4> start(w[3] / w[0], w[4] / w[0], w[1] / w[0], w[2] / w[0]);
+    if (const std::optional<Vector<I, 4>> x = box(system, start)) return finite_dyad(*x, I(anchor.turn), anchor, reference);
     return std::nullopt;
   }
-  const AnyPivots<I> system{rows, e, chart};
-  Vector<double, 6> start;
+  const auto system = [=]<class N>(const Matrix<N, 4, 7>& rows, const N& e) { return AnyPivots<N>{rows, e, chart}; };
+  Vector<T, 6> start;
   for (int k = 0, i = 0; k < 7; ++k)
     if (k != chart) start[i++] = w[k] / w[chart];
-  if (const auto box = krawczyk<I>(system, start))
-    return any_dyad(system.w(box->template hull<I>()), anchor, reference);
+  if (const std::optional<Vector<I, 6>> x = box(system, start))
+    return any_dyad(AnyPivots<I>{{}, I(anchor.turn), chart}.w(*x), anchor, reference);
   return std::nullopt;
 }
 

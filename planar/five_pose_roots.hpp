@@ -25,7 +25,8 @@ enum class FivePoseCase {
   rotation,           ///< rotations about one point: a surface of dyads
   rank_deficient,     ///< rank below four otherwise
   common_line,        ///< a one-parameter family of dyads (Cardan motion: PR dyads) and at most one other
-  whole_conic,        ///< a one-parameter family of dyads
+  whole_conic,        ///< a one-parameter family of dyads: the two conditions coincide
+  empty_conic,        ///< the same, but no real point of the conic is a dyad
   common_vertex       ///< four dyads that coincide within rounding
 };
 

@@ -11,9 +11,20 @@
 #include "burmester/planar/degeneracy.hpp"
 #include "burmester/planar/five_pose_certificate.hpp"
 #include "burmester/planar/five_pose_oracle.hpp"
+#include "burmester/planar/merge_distance.hpp"
 
 namespace burmester::planar {
 namespace {
+
+/// Of the task size: where a radius is larger the roots and boxes are computed again, sharper.
+constexpr double largest_radius = 1e-9;
+/// The orientation of the double slider is twice an arc tangent, each within a few units in the last place of pi.
+constexpr double rounding_of_angle = 0x1p-47;
+/// Two dyads are looked at for merging below this many times the rounding estimate of the discriminant.
+constexpr double merging_factor = 0x1p16;
+
+/// Distances below this are rounding of quad precision.
+constexpr double coinciding = 0x1p-90;
 
 /// The task seen from the reference pose's origin with the task size as unit of length: there conditions do not
 /// depend on the user's frame and unit.
@@ -50,9 +61,24 @@ std::string type_of(const Dyads::Design& design) {
   return Dyads::visit(design, []<class D>(const typename D::Design&) { return std::string(D::name); });
 }
 
-void warn_of_merging(const auto& roots, PlanarReport& report) {
+/// How near two dyads are to merging, where that is near; the last part of a certified answer's message.
+void state_merging(const auto& roots, FivePoses poses, PlanarReport& report) {
   const bool finite = roots.what == FivePoseCase::regular || roots.what == FivePoseCase::two_orientations;
-  if (finite && std::abs(roots.discriminant) < roots.rounding)
+  if (!finite || !(std::abs(roots.discriminant) < merging_factor * roots.rounding)) return;
+  const auto merging = merge_distance(roots.what, poses, roots.anchor, roots.count);
+  if (!merging) return;
+  report.counts.merge_distance = merging->distance;
+  if (merging->distance < coinciding) {
+    report.warnings.push_back("two dyads coincide");
+    return;
+  }
+  const std::string by = fmt::format("if the poses changed by {:.0e}", merging->distance);
+  if (report.counts.certified)
+    report.message += (merging->appear ? "; two more would appear " : "; two of them would merge ") + by;
+  if (merging->distance < near_merging)
+    report.warnings.push_back(
+        (merging->appear ? "two more dyads nearly exist: they would " : "two dyads nearly merge: they would ") + by);
+  else if (!report.counts.certified && std::abs(roots.discriminant) < roots.rounding)
     report.warnings.push_back(
         "two dyads merge within rounding of the data: the number of real dyads may be off by two");
 }
@@ -66,20 +92,41 @@ void attach(const CertifiedRoots& certified, int i, FivePoses poses, PlanarRepor
   if (std::isfinite(radius)) found.certificate = {true, radius, box.rung};
 }
 
+bool all_certified(const PlanarReport& report) {
+  return std::all_of(report.dyads.begin(), report.dyads.end(),
+                     [](const auto& found) { return found.certificate.certified; });
+}
+
+double radius_of(const PlanarReport& report) {
+  double radius = 0;
+  for (const auto& found : report.dyads) radius = std::max(radius, found.certificate.radius);
+  return radius;
+}
+
+/// Of degenerate poses: proved, or how far rounding alone makes them so.
+void state_degeneracy(const CertifiedRoots& certified, PlanarReport& report) {
+  report.counts.certified = certified.degenerate && all_certified(report);
+  if (report.counts.certified)
+    report.message += ", proved";
+  else if (certified.count >= 0)
+    report.message += fmt::format("; true within rounding, the doubles given have {} real dyad{}", certified.count,
+                                  certified.count == 1 ? "" : "s");
+  else
+    report.message += ", within rounding";
+}
+
 void state_proof(const CertifiedRoots& certified, PlanarReport& report) {
+  const FivePoseCase what = certified.roots.what;
+  if (what != FivePoseCase::regular && what != FivePoseCase::two_orientations) return state_degeneracy(certified, report);
   if (certified.count >= 0 && certified.count != certified.roots.count)
     report.warnings.push_back(
         fmt::format("{} real dyads are proved to exist, but {} were found", certified.count, certified.roots.count));
-  report.counts.certified =
-      certified.complete && std::all_of(report.dyads.begin(), report.dyads.end(),
-                                        [](const auto& found) { return found.certificate.certified; });
+  report.counts.certified = certified.complete && all_certified(report);
   if (!report.counts.certified) return;
-  double radius = 0;
-  for (const auto& found : report.dyads) radius = std::max(radius, found.certificate.radius);
   if (report.dyads.empty())
     report.message += ", proved";
-  else
-    report.message += fmt::format(", proved complete, true to {:.0e}", 1.5 * radius);  // printed: never below radius
+  else  // printed: never below the radius
+    report.message += fmt::format(", proved complete, true to {:.0e}", 1.5 * radius_of(report));
 }
 
 /// Poses that rounding can hardly tell apart: what is proved of the doubles stands, the rest is not decided.
@@ -101,7 +148,10 @@ PlanarReport report_of(const FivePoseRoots<T>& roots, FivePoses poses, const Cer
   const double size = task_size(poses);
   const UnitTask unit(poses, roots.anchor, size);
   for (int i = 0; i < roots.count; ++i) {
-    add(report, classify(roots.w[i], roots.anchor, poses, size), condition_of(roots.w[i], unit), poses);
+    const auto k = static_cast<std::size_t>(i);
+    const auto found = certified && certified->sharp ? classify(certified->quad[k], roots.anchor, poses, size)
+                                                     : classify(roots.w[k], roots.anchor, poses, size);
+    add(report, found, condition_of(roots.w[k], unit), poses);
     if (certified) attach(*certified, i, poses, report);
   }
   std::string family_type;
@@ -110,6 +160,7 @@ PlanarReport report_of(const FivePoseRoots<T>& roots, FivePoses poses, const Cer
   if (roots.what == FivePoseCase::all_parallel || roots.what == FivePoseCase::translation) {
     Found<Dyads::Design> found;
     found.design = PP::Design{angle_of(poses[0])};
+    if (certified && certified->degenerate) found.certificate = {true, rounding_of_angle, Rung::exact};
     add(report, found, 1, poses);
   }
   const Verdict v = verdict(roots.what, poses, static_cast<int>(report.dyads.size()), family_type);
@@ -117,7 +168,7 @@ PlanarReport report_of(const FivePoseRoots<T>& roots, FivePoses poses, const Cer
   report.message = v.message;
   report.counts = v.counts;
   if (certified) state_proof(*certified, report);
-  if (!report.counts.certified) warn_of_merging(roots, report);
+  state_merging(roots, poses, report);
   if (roots.indistinct) judge_indistinct(report);
   sort_dyads(report);
   return report;
@@ -129,8 +180,11 @@ PlanarReport FivePoseSolver::solve(std::span<const Pose> poses) const {
   assert(poses.size() == 5);
   const FivePoses five = poses.first<5>();
   if (!certify) return report_of(five_pose_roots(five), five);
-  const CertifiedRoots certified = certified_five_pose_roots(five);
-  return report_of(certified.roots, five, &certified);
+  CertifiedRoots certified = certified_five_pose_roots(five);
+  PlanarReport report = report_of(certified.roots, five, &certified);
+  const bool wide = !all_certified(report) || radius_of(report) > largest_radius * task_size(five);
+  if (wide && sharpen(five, certified)) return report_of(certified.roots, five, &certified);
+  return report;
 }
 
 PlanarReport FivePoseOracle::solve(std::span<const Pose> poses) const {

@@ -1,7 +1,9 @@
 // The root steps of the five-pose solver, shared by the double and the quad instance. Not for inclusion by users.
 #pragma once
 
+#include "burmester/geometry/signature.hpp"
 #include "burmester/planar/five_pose_roots.hpp"
+#include "burmester/planar/orientations.hpp"
 
 namespace burmester::planar::detail {
 
@@ -48,20 +50,6 @@ template <class T>
 void add_root(FivePoseRoots<T>& out, const Pencil<T>& pencil, Point2<T> z) {
   for (int i = 0; i < newton_steps<T>; ++i) z = pencil.improved(z);
   out.w[out.count++] = pencil.w(z);
-}
-
-/// Sizes of the classes of equal orientations, largest first, found with lossless cross products.
-inline std::array<int, 5> orientation_classes(FivePoses poses) {
-  std::array<int, 5> size{};
-  std::array<bool, 5> seen{};
-  for (int i = 0; i < 5; ++i) {
-    if (seen[i]) continue;
-    for (int j = i; j < 5; ++j)
-      if (!seen[j] && same_orientation(poses[i], poses[j]))
-        seen[j] = true, ++size[i];
-  }
-  std::sort(size.begin(), size.end(), std::greater<>());
-  return size;
 }
 
 /// The pair of orientations of a 3 + 2 task, w0 = (0, .., V1, V2), as V1 and V2.
@@ -124,6 +112,17 @@ bool is_orientation_pair(const Anchored<T>& w, double tolerance) {
   return approximate(rest) <= tolerance * approximate(size);
 }
 
+/// Whether no real point of the conic is a dyad: it is empty, or two complex lines through a pair of orientations.
+template <class T>
+bool without_dyads(const Conic<T>& c, const Pencil<T>& pencil, double tolerance) {
+  const Adjugate<T> adj(c);
+  if (!(approximate(adj.trace()) > tolerance)) return false;
+  if (!(std::abs(approximate(adj.determinant(c))) > tolerance))
+    return is_orientation_pair(pencil.w(burmester::detail::vertex_of(c)), std::sqrt(tolerance));
+  const std::optional<Inertia> form = inertia(matrix_of(c));
+  return form && std::abs(form->signature) == 3;
+}
+
 /// The conics share a component or a vertex: find which, and the isolated root if there is one.
 template <class T>
 void degenerate_pencil(const Pencil<T>& pencil, double tolerance, FivePoseRoots<T>& out) {
@@ -134,7 +133,10 @@ void degenerate_pencil(const Pencil<T>& pencil, double tolerance, FivePoseRoots<
     burmester::detail::span_line(common.line, u, v);
     out.family = pencil.w(Point2<T>(u + v));
   } else {
-    out.what = common.kind == PencilKind::same_conic ? FivePoseCase::whole_conic : FivePoseCase::common_vertex;
+    const Conic<T>& conic = size_of(pencil.a) > size_of(pencil.b) ? pencil.a : pencil.b;
+    out.what = common.kind == PencilKind::common_vertex            ? FivePoseCase::common_vertex
+               : without_dyads(conic, pencil, tolerance) ? FivePoseCase::empty_conic
+                                                                   : FivePoseCase::whole_conic;
   }
   for (int i = 0; i < common.count; ++i) out.w[out.count++] = pencil.w(common.point[i]);
   // The vertex is only known to the square root of the rounding where it is a double point of every member.
@@ -156,10 +158,10 @@ T scale_to_one(Conic<T>& c, double tolerance) {
 /// Names the cases with at most two orientations among four poses; 3 + 2 only where the pencil is regular.
 template <class T>
 void special_orientations(FivePoses poses, const Pencil<T>& pencil, double tolerance, FivePoseRoots<T>& out) {
-  const std::array<int, 5> classes = orientation_classes(poses);
-  if (classes[0] == 4)
+  const auto classes = orientation_classes(poses, same_orientation);
+  if (classes[0].size == 4)
     out.what = FivePoseCase::four_parallel;
-  else if (classes[0] == 3 && classes[1] == 2 && out.pencil_size >= tolerance)
+  else if (classes[0].size == 3 && classes[1].size == 2 && out.pencil_size >= tolerance)
     two_orientation_roots(poses, pencil, tolerance, out);
 }
 

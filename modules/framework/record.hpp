@@ -57,6 +57,9 @@ struct SolutionCounts {
   std::optional<int> complex;    ///< over the complex numbers with multiplicity; none: infinite or not counted
   std::optional<int> real;
   bool certified = false;
+  /// Least change of the poses, relative to their size, that makes two dyads coincide (docs/concepts.md); only where
+  /// that is near.
+  std::optional<double> merge_distance = std::nullopt;
 };
 
 /// The answer to a synthesis problem.

@@ -35,10 +35,12 @@ json units_of(const Units& units) {
 }
 
 json counts_of(const SolutionCounts& counts) {
-  return {{"dimension", value_or_null(counts.dimension)},
-          {"complex", value_or_null(counts.complex)},
-          {"real", value_or_null(counts.real)},
-          {"certified", counts.certified}};
+  json out = {{"dimension", value_or_null(counts.dimension)},
+              {"complex", value_or_null(counts.complex)},
+              {"real", value_or_null(counts.real)},
+              {"certified", counts.certified}};
+  put(out, "merge_distance", counts.merge_distance);
+  return out;
 }
 
 json line_of(const LineRecord& line, const Units& units) {

@@ -150,6 +150,13 @@ TEST(ResultDocument, ShowsTheRadiusOfAProof) {
   EXPECT_EQ(json_line(document_of(s)["dyads"][1]["certificate"]), R"({"certified": true, "radius": 1e-13})");
 }
 
+TEST(ResultDocument, ShowsTheMergeDistanceWhereItIsKnown) {
+  Synthesis s = untidy();
+  EXPECT_FALSE(document_of(s)["solutions"].contains("merge_distance"));
+  s.counts.merge_distance = 2.5e-16;
+  EXPECT_EQ(document_of(s)["solutions"]["merge_distance"], 2.5e-16);
+}
+
 TEST(ResultDocument, ShowsNullForUnknownCounts) {
   Synthesis s;
   s.status = Status::degenerate;
