@@ -44,13 +44,14 @@ struct CurveTopology {
   std::vector<PointAtInfinity> at_infinity;         ///< real ones; none listed if the line at infinity splits off
 };
 
-/// A part of a traced curve. Each point of the polyline is within max_error of the curve, and each point of the part of
-/// the curve that it stands for is within max_error of the polyline.
+/// A part of a traced curve, or of two curves whose points are partners. Each point of the polyline is within max_error
+/// of the curve, and each point of the part of the curve that it stands for is within max_error of the polyline.
 struct CurvePiece {
-  int component = 0;    ///< pieces of one component share the number
+  int component = 0;    ///< pieces of one component share the number, from 0
   bool closed = false;  ///< a whole closed component; the first point is not repeated
   double max_error = 0;
-  std::vector<Vector<double, 2>> points;
+  std::vector<Point2<double>> points;    ///< in the plane (x, y, 1); on the sphere unit vectors
+  std::vector<Point2<double>> partners;  ///< of the points, one by one, if the curve has a partner
 };
 
 }  // namespace burmester
