@@ -13,6 +13,11 @@
 #include "curve_corpus.hpp"
 #include "exact_roots.hpp"
 
+// CGAL 5.5's status lines and curves hold each other by reference counts: what they cache is never freed.
+#ifdef __SANITIZE_ADDRESS__
+extern "C" const char* __lsan_default_suppressions() { return "leak:CGAL::"; }
+#endif
+
 namespace burmester {
 namespace {
 
@@ -105,7 +110,7 @@ TEST(CurveAnalysis, LinesAndConicsAreTheFactors) {
   const auto same = [](auto a, auto b) {  // up to scale; the cosine carries some ten roundings
     return std::abs(std::abs(a.dot(b)) / (a.norm() * b.norm()) - 1) < 1e-14;
   };
-  for (int i = 0; i < 5; ++i) {
+  for (int i = 0; i < 2; ++i) {
     const PlaneCurve line = corpus::random_form(random, 1), conic = corpus::random_form(random, 2),
                      other = corpus::random_form(random, 3);
     for (const PlaneCurve& f : {line * conic, line * conic * other}) {
@@ -175,7 +180,7 @@ TEST(CurveAnalysis, CubicsHaveTheComponentsThatTheirPencilTells) {
       EXPECT_EQ(components_by_pencil(c.curve, *c.on_curve), c.components) << c.name;
     }
   int two = 0;
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < 40; ++i) {
     const CorpusCurve c = corpus::random_circular_cubic("curve_analysis.circular." + std::to_string(i));
     const CurveTopology t = analyse_curve(c.curve);
     ASSERT_TRUE(t.singular.empty()) << c.name;
@@ -185,7 +190,7 @@ TEST(CurveAnalysis, CubicsHaveTheComponentsThatTheirPencilTells) {
     if (t.components == 2) ++two;
   }
   EXPECT_GT(two, 5);
-  EXPECT_LT(two, 55);
+  EXPECT_LT(two, 35);
 }
 
 /// A. Harnack (1876): at most (d - 1) (d - 2) / 2 + 1 components; F. Klein: smooth curves of odd degree have
@@ -193,7 +198,7 @@ TEST(CurveAnalysis, CubicsHaveTheComponentsThatTheirPencilTells) {
 TEST(CurveAnalysis, SmoothCurvesObeyHarnackAndParity) {
   Random random("CurveAnalysis.SmoothCurvesObeyHarnackAndParity");
   for (int d = 1; d <= 6; ++d)
-    for (int i = 0; i < 12; ++i) {
+    for (int i = 0; i < 5; ++i) {
       const PlaneCurve f = corpus::random_form(random, d);
       const CurveTopology t = analyse_curve(f),
                           other = analyse_curve(f.substituted(corpus::random_projective_map(random).matrix));
@@ -311,11 +316,10 @@ TEST(CurveAnalysis, CouplerCurvesAreWhatTheLinkageDraws) {
 TEST(CurveAnalysis, TwoThreadsGetTheSameAnswers) {
   const auto all = [] {
     std::vector<std::array<int, 3>> out;
-    for (const auto& curves : {corpus::corpus_cubics(), corpus::corpus_quartics()})
-      for (const CorpusCurve& c : curves) {
-        const CurveTopology t = analyse_curve(c.curve);
-        out.push_back({t.components, t.ovals, static_cast<int>(t.singular.size())});
-      }
+    for (const CorpusCurve& c : corpus::corpus_cubics()) {
+      const CurveTopology t = analyse_curve(c.curve);
+      out.push_back({t.components, t.ovals, static_cast<int>(t.singular.size())});
+    }
     return out;
   };
   auto one = std::async(std::launch::async, all), two = std::async(std::launch::async, all);

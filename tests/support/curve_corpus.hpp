@@ -300,7 +300,7 @@ inline std::vector<CorpusCurve> curve_corpus() {
   std::vector<CorpusCurve> out = corpus_cubics();
   for (const auto& more : {corpus_conics_and_lines(), corpus_quartics(), corpus_quintics_and_sextics()})
     out.insert(out.end(), more.begin(), more.end());
-  for (int i = 0; i < 20; ++i) out.push_back(random_cubic("curve_corpus.random_cubic." + std::to_string(i)));
+  for (int i = 0; i < 10; ++i) out.push_back(random_cubic("curve_corpus.random_cubic." + std::to_string(i)));
   return out;
 }
 
