@@ -136,7 +136,8 @@ bool different(const Anchored<I>& a, const Anchored<I>& b) {
   return false;
 }
 
-/// One root in its box: as finite pivots where K0 is not small beside the rest, as a point of P^6 otherwise. `box(system,
+/// One root in its box: as finite pivots where K0 is not small beside the rest, as a point of P^6 otherwise or where that
+/// fails (a far pivot beside one at infinity). `box(system,
 /// start)` is a box around the start, a vector of intervals I, or nothing; system(rows, e) makes the square system.
 template <class I, class T, class MakeBox>
 std::optional<Enclosed<I>> enclose_root(const Anchored<T>& w, const Anchor& anchor, const Pose& reference, MakeBox box) {
@@ -147,7 +148,6 @@ std::optional<Enclosed<I>> enclose_root(const Anchored<T>& w, const Anchor& anch
     const auto system = []<class N>(const Matrix<N, 4, 7>& rows, const N& e) { return FinitePivots<N>{rows, e}; };
     const Vector<T, 4> start(w[3] / w[0], w[4] / w[0], w[1] / w[0], w[2] / w[0]);
     if (const std::optional<Vector<I, 4>> x = box(system, start)) return finite_dyad(*x, I(anchor.turn), anchor, reference);
-    return std::nullopt;
   }
   const auto system = [=]<class N>(const Matrix<N, 4, 7>& rows, const N& e) { return AnyPivots<N>{rows, e, chart}; };
   Vector<T, 6> start;
