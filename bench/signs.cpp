@@ -8,8 +8,7 @@
 //   exact             the exact ring of doubles alone
 //   rational          Rational in its place
 // Data: random (normal entries); near (degenerate but for the rounding of the entries).
-// Counters: time per sign; the shares of signs that plain gets wrong, that doubles decide, that intervals
-// decide.
+// Counters: time per sign; the shares of signs that plain gets wrong, that doubles decide, that intervals decide.
 #include <benchmark/benchmark.h>
 
 #include <vector>

@@ -1,13 +1,11 @@
 // Doubles with a running error bound: the first rung of an exact sign.
 //
-// Beside the computed value v of an expression runs its magnitude m: the same expression with every term
-// positive.
+// Beside the computed value v of an expression runs its magnitude m: the same expression with every term positive.
 //     argument x                    v = x             m = |x|
 //     a +- b                        v = va +- vb      m = ma + mb
 //     a b                           v = va vb         m = ma mb + eta, eta = 2^-1022
 //     a - b of two arguments        v = va - vb       m = |v|             (difference)
-// Everything is rounded. With w = 2^-52 and the depth k (argument 0, sum 1 + max, product 1 + ka + kb,
-// difference 1)
+// Everything is rounded. With w = 2^-52 and the depth k (argument 0, sum 1 + max, product 1 + ka + kb, difference 1)
 //     |v - exact| <= bound(k) m,    bound(k) = k w (1 + 2^-40),  k <= 512.
 //
 // Proof. Rounding to nearest or upward makes of z a double z' with |z' - z| <= w |z|, |z' - z| <= w |z'|, and
@@ -107,8 +105,7 @@ inline T evaluate(const std::array<double, N>& x) {
   (std::make_index_sequence<N>());
 }
 
-/// 1 or -1 if plain doubles prove it (rounding to nearest or upward), nothing otherwise; never 0. F: see
-/// ladder.hpp.
+/// 1 or -1 if plain doubles prove it (rounding to nearest or upward), nothing otherwise; never 0. F: see ladder.hpp.
 template <class F, std::size_t N>
 inline std::optional<int> sign_by_doubles(const std::array<double, N>& x) {
   constexpr int k = F{}(std::array<Depth, N>{}).value();

@@ -1,6 +1,5 @@
 // Polynomials with integer coefficients and their real roots, by CGAL's univariate algebraic kernel: what the
-// exact curve analysis shares. Only for .cpp files of geometry/ (CGAL is linked to no other room); empty
-// without GMP.
+// exact curve analysis shares. Only for .cpp files of geometry/ (CGAL is linked to no other room); empty without GMP.
 #pragma once
 
 #ifndef BURMESTER_WITHOUT_GMP
@@ -30,8 +29,7 @@ inline Integer from_cgal(const CGAL::Gmpz& x) { return Integer(x.mpz()); }
 inline Rational from_cgal(const CGAL::Gmpq& x) { return Rational(x.mpq()); }
 inline CGAL::Gmpz to_cgal(const Integer& x) { return CGAL::Gmpz(x.backend().data()); }
 
-/// The polynomial in m that stands at s^a z^b in F(1, m + s, z): derivatives of F at infinity, divided by
-/// factorials.
+/// The polynomial in m that stands at s^a z^b in F(1, m + s, z): derivatives of F at infinity, divided by factorials.
 inline Polynomial at_infinity(const TernaryForm<Integer>& f, int a, int b) {
   std::vector<CGAL::Gmpz> c{0};
   Integer binomial = 1;  // j over a

@@ -60,12 +60,10 @@ struct ConicAxes {
 /// Precondition: an ellipse (imaginary too) or a hyperbola.
 ConicAxes axes_of(const Conic<double>& conic);
 
-/// Unit vectors along the asymptotes, which pass through the centre. Precondition: a hyperbola or crossing
-/// lines.
+/// Unit vectors along the asymptotes, which pass through the centre. Precondition: a hyperbola or crossing lines.
 std::array<Vector<double, 2>, 2> asymptote_directions(const Conic<double>& conic);
 
-/// v^2 = 2 parameter u in the frame (vertex; axis, its normal): the axis points into the parabola, parameter
-/// > 0.
+/// v^2 = 2 parameter u in the frame (vertex; axis, its normal): the axis points into the parabola, parameter > 0.
 struct ParabolaFrame {
   Vector<double, 2> vertex, axis;
   double parameter = 0;
@@ -77,8 +75,7 @@ ParabolaFrame parabola_frame(const Conic<double>& conic);
 /// them, double lines once. The product of two is Q up to a factor.
 std::vector<LinearForm<double>> lines_of(const Conic<double>& conic, ConicType type);
 
-/// A real point, of norm about 1. Precondition: the form takes both signs (regular: ellipse, hyperbola,
-/// parabola).
+/// A real point, of norm about 1. Precondition: the form takes both signs (regular: ellipse, hyperbola, parabola).
 Point2<double> real_point(const Conic<double>& conic);
 
 /// X(s, t) = s^2 c[0] + s t c[1] + t^2 c[2].

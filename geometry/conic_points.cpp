@@ -81,7 +81,8 @@ std::optional<CertifiedCommonPoints> proved(const Conic<Interval>& a, const Coni
 
 /// `a` and `b`: of size about 1; `enclosed`: makes the same two conics over intervals.
 template <class Enclosed>
-std::optional<CertifiedCommonPoints> points_in_doubles(const Conic<double>& a, const Conic<double>& b, Enclosed enclosed) {
+std::optional<CertifiedCommonPoints> points_in_doubles(const Conic<double>& a, const Conic<double>& b,
+                                                       Enclosed enclosed) {
   const CommonPoints<double> found = regular_common_points(a, b, pencil_determinant(a, b));
   std::vector<Start> starts;
   for (std::size_t i = 0; i < static_cast<std::size_t>(found.count); ++i)
@@ -110,11 +111,15 @@ CertifiedCommonPoints certified_common_points(const Conic<double>& a, const Coni
   for (const Conic<double>* c : {&a, &b})
     if (!std::all_of(c->q.begin(), c->q.end(), [](double q) { return std::isfinite(q); }))
       throw std::invalid_argument("a conic has finite coefficients");
-  const auto exactly = [](const Conic<double>& c) { return converted<Rational>(c, [](double q) { return Rational(q); }); };
+  const auto exactly = [](const Conic<double>& c) {
+    return converted<Rational>(c, [](double q) { return Rational(q); });
+  };
   const double size_a = size_of(a), size_b = size_of(b);
   if (std::min(size_a, size_b) > 0x1p-1000 && std::max(size_a, size_b) < 0x1p1000) {
     const double scale_a = unit_scale(size_a), scale_b = unit_scale(size_b);
-    const auto scaled = [](const Conic<double>& c, double by) { return converted<double>(c, [=](double q) { return q * by; }); };
+    const auto scaled = [](const Conic<double>& c, double by) {
+      return converted<double>(c, [=](double q) { return q * by; });
+    };
     const auto enclosed = [](const Conic<double>& c, double by) {
       return converted<Interval>(c, [=](double q) { return Interval(q) * Interval(by); });
     };
@@ -130,7 +135,8 @@ CertifiedCommonPoints certified_common_points(const Conic<Rational>& a, const Co
   const Conic<Rational> unit_a = unit_sized(a), unit_b = unit_sized(b);
   const auto rounded = [](const Conic<Rational>& c) { return converted<double>(c, approximate<Rational>); };
   const auto enclosed = [](const Conic<Rational>& c) {
-    return converted<Interval>(c, [](const Rational& q) { return Interval(lower(RationalInterval(q)), upper(RationalInterval(q))); });
+    return converted<Interval>(
+        c, [](const Rational& q) { return Interval(lower(RationalInterval(q)), upper(RationalInterval(q))); });
   };
   if (auto out = points_in_doubles(rounded(unit_a), rounded(unit_b), [&] {
         return std::array<Conic<Interval>, 2>{enclosed(unit_a), enclosed(unit_b)};

@@ -37,7 +37,9 @@ class Builder {
 
   void add(const BranchForms<Interval>& f, std::vector<CubicBranch::Passage> passages) {
     BranchForms<double> a;
-    for (int k = 0; k < 3; ++k) a.base[k] = approximate(f.base[k]), a.u[static_cast<std::size_t>(k)] = detail::middle(f.u[static_cast<std::size_t>(k)]);
+    for (int k = 0; k < 3; ++k)
+      a.base[k] = approximate(f.base[k]),
+      a.u[static_cast<std::size_t>(k)] = detail::middle(f.u[static_cast<std::size_t>(k)]);
     a.i = f.i, a.j = f.j, a.turns = f.turns, a.line = f.line;
     a.a = detail::middle(f.a), a.b = detail::middle(f.b), a.c = detail::middle(f.c);
     a.factor = detail::middle(f.factor), a.under_root = detail::middle(f.under_root);
@@ -48,7 +50,8 @@ class Builder {
   void add_unbroken(int sign) {
     if (sign < 0) return;
     BranchForms<Interval> f = forms();
-    f.u = {Point1<Interval>(Interval(1), Interval(0)), Point1<Interval>(Interval(0), Interval(2)), Point1<Interval>(Interval(-1), Interval(0))};
+    f.u = {Point1<Interval>(Interval(1), Interval(0)), Point1<Interval>(Interval(0), Interval(2)),
+           Point1<Interval>(Interval(-1), Interval(0))};
     if (sign == 0) return add(f, {{1, false}});  // a double line
     // After one turn u is -u, and the root keeps or changes its sign against B: the sheets change places or do not.
     if ((f.a.degree + f.factor.degree) % 2 == 0) return add(f, {{1, false}, {-1, false}});
@@ -64,7 +67,8 @@ class Builder {
     f.u = {sum, Point1<Interval>((b[0] - a[0]) * 2, (b[1] - a[1]) * 2), sum};
     // G = l_a l_b E with l_a(u(s)) = (1 + s)^2 l_a(b) and l_b(u(s)) = -(1 - s)^2 l_a(b), so H = -l_a(b)^2 E.
     const Interval across = a[1] * b[0] - a[0] * b[1];
-    f.under_root = BinaryForm<Interval>::constant(-CGAL::square(across)) * f.under_root.divided_by_root(a).divided_by_root(b);
+    f.under_root =
+        BinaryForm<Interval>::constant(-CGAL::square(across)) * f.under_root.divided_by_root(a).divided_by_root(b);
     f.turns = true;
     add(f, {{1, false}, {-1, true}});
   }
@@ -120,7 +124,8 @@ Point2<T> BranchForms<T>::operator()(const T& s, int sheet) const {
   if (turns) root = root * rest;
   if (sheet < 0) root = -root;
   // Two vectors of the same direction, of which one may vanish.
-  const T twice_a = T(2) * a(at), twice_c = T(2) * c(at), minus_b = -b(at), plus = minus_b + root, minus = minus_b - root;
+  const T twice_a = T(2) * a(at), twice_c = T(2) * c(at), minus_b = -b(at), plus = minus_b + root,
+          minus = minus_b - root;
   const auto size = [](const T& x) { return std::abs(approximate(x)); };
   if (size(plus) + size(twice_a) >= size(twice_c) + size(minus)) return plus * base + q(at, twice_a);
   return twice_c * base + q(at, minus);

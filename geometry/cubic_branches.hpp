@@ -25,11 +25,11 @@ template <class T>
 struct BranchForms {
   Point2<T> base;
   int i = 0, j = 1;
-  BinaryForm<T> a, b, c;                ///< of degree n, n + 1, n + 2
-  BinaryForm<T> factor, under_root;     ///< S and G, or S and H
-  std::array<Point1<T>, 3> u;           ///< u(s) = u[0] + u[1] s + u[2] s^2
-  bool turns = false;                   ///< the sheets meet at s = -1 and s = 1
-  bool line = false;                    ///< a line through the base: X = (1 - s^2) P + 2 s q(u[0])
+  BinaryForm<T> a, b, c;             ///< of degree n, n + 1, n + 2
+  BinaryForm<T> factor, under_root;  ///< S and G, or S and H
+  std::array<Point1<T>, 3> u;        ///< u(s) = u[0] + u[1] s + u[2] s^2
+  bool turns = false;                ///< the sheets meet at s = -1 and s = 1
+  bool line = false;                 ///< a line through the base: X = (1 - s^2) P + 2 s q(u[0])
 
   Point2<T> operator()(const T& s, int sheet) const;
 };

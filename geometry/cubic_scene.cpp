@@ -50,7 +50,8 @@ void propagate_signs(std::vector<CubicScene::Root>& roots, std::size_t from, int
 }
 
 /// The sign of D between roots that lie well apart.
-std::optional<int> sign_in_widest_gap(const BinaryForm<Interval>& d, const std::vector<CubicScene::Root>& roots, std::size_t& gap) {
+std::optional<int> sign_in_widest_gap(const BinaryForm<Interval>& d, const std::vector<CubicScene::Root>& roots,
+                                      std::size_t& gap) {
   Point1<double> best{1, 0};
   double widest = -1;
   for (std::size_t k = 0; k < roots.size(); ++k) {
@@ -76,7 +77,8 @@ void split_discriminant(CubicScene& scene) {
 /// The same where D has no real root but is the square of a form with complex ones, or zero.
 void split_exactly(const BinaryForm<Rational>& d, CubicScene& scene) {
   if (d.is_zero()) {
-    scene.factor = BinaryForm<Interval>::constant(Interval(1)), scene.rest = BinaryForm<Interval>::constant(Interval(0));
+    scene.factor = BinaryForm<Interval>::constant(Interval(1)),
+    scene.rest = BinaryForm<Interval>::constant(Interval(0));
     return;
   }
   if (d.degree < 4 || quartic_discriminant(d) != 0) return;
@@ -96,9 +98,7 @@ std::optional<Point1<T>> divide_by_line(CubicPencil<T>& pencil) {
   return u;
 }
 
-Polynomial<Rational> polynomial(const BinaryForm<Rational>& f) {
-  return Polynomial<Rational>(f.coefficients());
-}
+Polynomial<Rational> polynomial(const BinaryForm<Rational>& f) { return Polynomial<Rational>(f.coefficients()); }
 
 /// (1 : x), in the chart where it is small
 Point1<Interval> point(const RealRoot& x) {

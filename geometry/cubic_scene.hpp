@@ -24,11 +24,11 @@ struct CubicScene {
   };
   explicit CubicScene(const CubicPencil<Interval>& seen) : pencil(seen), discriminant(seen.discriminant()) {}
 
-  CubicPencil<Interval> pencil;       ///< where a line through the base splits off: of the conic that is left
-  BinaryForm<Interval> discriminant;  ///< D
-  BinaryForm<Interval> factor, rest;  ///< D = S^2 G: S and G
-  std::vector<Root> roots;            ///< of D, in their order on the projective line: (1 : x) with x ascending
-  int sign = 0;                       ///< of D where it has no root; 0: D = 0
+  CubicPencil<Interval> pencil;          ///< where a line through the base splits off: of the conic that is left
+  BinaryForm<Interval> discriminant;     ///< D
+  BinaryForm<Interval> factor, rest;     ///< D = S^2 G: S and G
+  std::vector<Root> roots;               ///< of D, in their order on the projective line: (1 : x) with x ascending
+  int sign = 0;                          ///< of D where it has no root; 0: D = 0
   std::optional<Point1<Interval>> line;  ///< the line through the base
   int sign_on_line = 0;                  ///< of D there
 };

@@ -40,11 +40,13 @@ class Topologist {
   }
   /// Precondition for an answer: D = 0 on the line exactly where one of its roots lies on it.
   bool lies_on_line(const CubicScene::Root& root) const {
-    return s_.line && s_.sign_on_line == 0 && contains_zero(Interval(root.at[0] * (*s_.line)[1] - root.at[1] * (*s_.line)[0]));
+    return s_.line && s_.sign_on_line == 0 &&
+           contains_zero(Interval(root.at[0] * (*s_.line)[1] - root.at[1] * (*s_.line)[0]));
   }
   void add_point(const Point1<double>& u, double root, SingularKind kind) {
     const double v = (root - b_(u)) / (2 * a_(u));
-    Point2<double> p = v * Point2<double>(middle(s_.pencil.base[0]), middle(s_.pencil.base[1]), middle(s_.pencil.base[2]));
+    Point2<double> p =
+        v * Point2<double>(middle(s_.pencil.base[0]), middle(s_.pencil.base[1]), middle(s_.pencil.base[2]));
     p[s_.pencil.i] += u[0], p[s_.pencil.j] += u[1];
     out_.singular.push_back({p / p.cwiseAbs().maxCoeff(), kind});
   }
@@ -59,7 +61,9 @@ class Topologist {
     return q;
   }
   /// sqrt(G) S
-  BinaryForm<double> root_of_discriminant() const { return BinaryForm<double>::constant(positive_root(middle(s_.rest.c[0]))) * middle(s_.factor); }
+  BinaryForm<double> root_of_discriminant() const {
+    return BinaryForm<double>::constant(positive_root(middle(s_.rest.c[0]))) * middle(s_.factor);
+  }
 
   void add_line_and_conic(const Point1<double>& u) {
     add_points_on_line(u);

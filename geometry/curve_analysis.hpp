@@ -6,11 +6,9 @@
 // geometric analysis of real algebraic plane curves", ISSAC 2007) gives its arcs over the intervals between
 // critical x and how they meet. Arcs are joined at infinity (the i-th right end from below is the i-th left
 // end from above), and the rest is counting:
-// - components: classes of joined arcs and points; a class met by a vertical line an even number of times,
-// without
+// - components: classes of joined arcs and points; a class met by a vertical line an even number of times, without
 //   singular points, is an oval;
-// - singular points: by their real half-branches, 0 isolated, 2 cusp (or smooth to the eye), 4 and more
-// crossing;
+// - singular points: by their real half-branches, 0 isolated, 2 cusp (or smooth to the eye), 4 and more crossing;
 //   a point with 2 is singular if the discriminant has a multiple root there and both derivatives vanish,
 //   exactly;
 // - lines and conics: curve_factors.hpp, which says what is not found. The rest does not depend on it.

@@ -77,8 +77,7 @@ std::vector<Complex> complex_roots(const Polynomial& p) {
 struct Asymptote {
   Complex m, b, e;
 };
-/// (y - m x - b z) (y - m' x - b' z) + c z^2, real parts: the conic with two asymptotes of the curve and its
-/// next term.
+/// (y - m x - b z) (y - m' x - b' z) + c z^2, real parts: the conic with two asymptotes of the curve and its next term.
 TernaryForm<Rational> conic_between(const Asymptote& s, const Asymptote& t) {
   const auto real = [](const Complex& x) { return exactly(x.real()); };
   TernaryForm<Rational> out(2);

@@ -2,11 +2,9 @@
 //
 // Coordinates in which the curve F of degree d meets the line at infinity in d complex points, none of them
 // (0:1:0). phi(m) = F(1, m, 0), psi(m) the terms at z.
-// - y = m x + b z is a component iff it is the asymptote in its direction, b = -psi(m) / phi'(m), and F
-// vanishes on it:
+// - y = m x + b z is a component iff it is the asymptote in its direction, b = -psi(m) / phi'(m), and F vanishes on it:
 //   polynomials in m with a common root. So all lines are found, rational or not.
-// - A conic without real lines is a pair of complex conjugate ones (found like lines), or what rational lines
-// leave of
+// - A conic without real lines is a pair of complex conjugate ones (found like lines), or what rational lines leave of
 //   a cubic, or has two asymptotes of F for its own and the same next term: a candidate for each two points
 //   at infinity. If its coefficients are rational they are multiples of 1 / F(0, 1, 0) (C. F. Gauss), and
 //   exact division decides.

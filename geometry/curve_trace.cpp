@@ -45,7 +45,8 @@ class Plane {
   bool outside(const TubeCurve& curve, const TubePoint& from, const TubePoint& to, const Point& z) const {
     const TubePoint x = from.unit(), y = from.at.dot(to.at) < 0 ? to.unit().opposite() : to.unit();
     for (int k = 0; k < 2; ++k) {
-      const double sign = x.at[k] < 0 ? -1 : 1, gap = std::min(sign * x.at[k] - window_ * std::abs(x.at[2]), sign * y.at[k] - window_ * std::abs(y.at[2]));
+      const double sign = x.at[k] < 0 ? -1 : 1, gap = std::min(sign * x.at[k] - window_ * std::abs(x.at[2]),
+                                                               sign * y.at[k] - window_ * std::abs(y.at[2]));
       if (!(gap > 0)) continue;
       const Vector<double, 3> across = x.at.cross(y.at), n = across / across.norm();
       const auto radius = tube_radius(curve, x, y, n);
@@ -83,7 +84,9 @@ class Sphere {
     if (!(size > 0) || !(x.dot(y) > 0.5)) return std::nullopt;
     return Vector<double, 3>(across / size);
   }
-  static double error(double radius, const Point& x, const Point& y) { return 2 * radius / (x + y).norm() * (1 + 0x1p-40); }
+  static double error(double radius, const Point& x, const Point& y) {
+    return 2 * radius / (x + y).norm() * (1 + 0x1p-40);
+  }
   static bool outside(const TubeCurve&, const TubePoint&, const TubePoint&, const Point&) { return false; }
   static bool outside(const Box&) { return false; }
   static double extent(const Box& box, const Point& x, const Point& y) {
@@ -98,14 +101,16 @@ class Sphere {
       const double across = std::max({upper(at), x[n], y[n]}) - std::min({lower(at), x[n], y[n]});
       sum += across * across;
     }
-    return 2 * std::sqrt(sum);  // an angle is at most 1.5 times its chord, and radial scaling at most 1 over |x| - across
+    return 2 *
+           std::sqrt(sum);  // an angle is at most 1.5 times its chord, and radial scaling at most 1 over |x| - across
   }
 };
 
 template <class Chart>
 class Tracer {
  public:
-  Tracer(const Chart& chart, const TubeCurve& curve, const std::optional<PartnerCurve>& partner, const TraceOptions& options)
+  Tracer(const Chart& chart, const TubeCurve& curve, const std::optional<PartnerCurve>& partner,
+         const TraceOptions& options)
       : chart_(chart), curve_(curve), partner_(partner), options_(options), tracks_(partner ? 2 : 1) {}
 
   std::vector<CurvePiece> trace(const CubicBranch& branch) {
@@ -115,7 +120,8 @@ class Tracer {
     Sample at = first;
     for (const CubicBranch::Passage& passage : branch.passages)
       for (int k = 0; k < first_chords; ++k) {
-        const double from = start_of(passage) * (1 - 2.0 * k / first_chords), to = start_of(passage) * (1 - 2.0 * (k + 1) / first_chords);
+        const double from = start_of(passage) * (1 - 2.0 * k / first_chords),
+                     to = start_of(passage) * (1 - 2.0 * (k + 1) / first_chords);
         const bool last = k + 1 == first_chords && &passage == &branch.passages.back();
         at = follow(at, last ? first : sample(to, passage.sheet), from, to, passage.sheet, 0);
       }
@@ -162,7 +168,8 @@ class Tracer {
       return interrupt(y);
     }
     const double step = (to - from) / parts;
-    if (depth == deepest || samples_ > options_.most_samples || from + step == from || to - step == to) return interrupt(y);
+    if (depth == deepest || samples_ > options_.most_samples || from + step == from || to - step == to)
+      return interrupt(y);
     Sample at = x;
     for (int k = 1; k < parts; ++k)
       at = follow(at, sample(from + k * step, sheet), from + (k - 1) * step, from + k * step, sheet, depth + 1);
@@ -193,7 +200,9 @@ class Tracer {
   /// A sample that is not between x and y, nor one of them.
   const Sample& elsewhere(const Sample& x, const Sample& y) const {
     const Point& first = references_[0].track[0].at;
-    const auto is_first = [&](const Sample& sample) { return sample.track[0].at == first || sample.track[0].at == -first; };
+    const auto is_first = [&](const Sample& sample) {
+      return sample.track[0].at == first || sample.track[0].at == -first;
+    };
     return references_[is_first(x) || is_first(y) ? 1 : 0];
   }
   static int parts_for(double ratio) { return std::clamp(static_cast<int>(std::ceil(1.05 * ratio)), 2, 8); }
@@ -201,7 +210,8 @@ class Tracer {
   Chord judge_by_box(const Sample& x, const Sample& y, double from, double to, int sheet) const {
     const std::array<Box, 2> box = boxes(from, to, sheet);
     double error = 0;
-    for (std::size_t k = 0; k < tracks_; ++k) error = std::max(error, chart_.extent(box[k], x.track[k].at, y.track[k].at));
+    for (std::size_t k = 0; k < tracks_; ++k)
+      error = std::max(error, chart_.extent(box[k], x.track[k].at, y.track[k].at));
     return {error, error <= options_.tolerance ? 1 : 2};
   }
 
@@ -245,7 +255,8 @@ class Tracer {
     if (pieces_.empty()) return;
     CurvePiece& end = pieces_.back();
     if (unbroken_) {
-      if (first.track[0].at.dot(last.track[0].at) < 0 || (tracks_ == 2 && first.track[1].at.dot(last.track[1].at) < 0)) go_round_again(end, first, last);
+      if (first.track[0].at.dot(last.track[0].at) < 0 || (tracks_ == 2 && first.track[1].at.dot(last.track[1].at) < 0))
+        go_round_again(end, first, last);
       end.points.pop_back();
       if (tracks_ == 2) end.partners.pop_back();
       end.closed = true;

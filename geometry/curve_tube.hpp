@@ -78,7 +78,8 @@ inline std::optional<double> tube_radius(const TubeCurve& curve, const TubePoint
 
   const double delta = (y.value - x.value) / 2, dx = x.gradient.dot(d), dy = y.gradient.dot(d);
   const double ends = std::max(std::abs(x.value), std::abs(y.value)) + error * reach;
-  const double alpha = std::abs(dy - dx) / 4 + error * half, beta = std::abs((dy + dx) / 4 - delta / 2) + error * (half + reach);
+  const double alpha = std::abs(dy - dx) / 4 + error * half,
+               beta = std::abs((dy + dx) / 4 - delta / 2) + error * (half + reach);
   const double gx = x.gradient.dot(n), gy = y.gradient.dot(n);
   if (!(gx * gy > 0)) return std::nullopt;
   const double least = std::min(std::abs(gx), std::abs(gy)) - 2 * error;
@@ -89,18 +90,24 @@ inline std::optional<double> tube_radius(const TubeCurve& curve, const TubePoint
   const double beyond = r / half * safe, t = 1 + beyond, over = std::max(1.0, t * t - 1);
   const double wide = reach + r + beyond * half;
   const double g = (least - beyond * (std::abs(gy - gx) / 2 + error) - over * curve.bound() * half * half -
-                    curve.bound() * r * (2 * wide + r)) / safe;
-  const double f = (ends + beyond * (std::abs(delta) + error * reach) + over * alpha + std::max(0.385, t * (t * t - 1)) * beta) * safe;
+                    curve.bound() * r * (2 * wide + r)) /
+                   safe;
+  const double f =
+      (ends + beyond * (std::abs(delta) + error * reach) + over * alpha + std::max(0.385, t * (t * t - 1)) * beta) *
+      safe;
   if (!(g > 0) || !(f <= g * r)) return std::nullopt;
   return f / g * safe;
 }
 
 /// Whether z, or -z, lies over the chord and within the radius of it, up to roundings of the order of 1e-9.
-inline bool over_chord(const TubePoint& x, const TubePoint& y, const Vector<double, 3>& n, double radius, const Point2<double>& z) {
-  const Vector<double, 3> m = (x.at + y.at) / 2, d = (y.at - x.at) / 2, across = d.cross(n), along = n.cross(m);
-  // z is lambda (m + t d + s n), where m.across = d.along = n.(m x d) = volume
-  const double lambda = z.dot(across), t = z.dot(along), s = z.dot(m.cross(d)), slack = 1e-9 * z.norm() * across.norm();
-  return std::abs(t) <= std::abs(lambda) + slack && std::abs(s) <= radius * std::abs(lambda) + slack * d.norm();
+inline bool over_chord(const TubePoint& x, const TubePoint& y, const Vector<double, 3>& n, double radius,
+                       const Point2<double>& z) {
+  // z is lambda (m + t d + s n) times the volume m . (d x n)
+  const Vector<double, 3> sum = x.at + y.at, difference = y.at - x.at, across = difference.cross(n), along = n.cross(sum);
+  const double lambda = z.dot(across), t = z.dot(along), slack = 0x1p-30;
+  if (t * t > (1 + slack) * lambda * lambda + slack * slack * z.squaredNorm() * across.squaredNorm()) return false;
+  const double s = z.dot(sum.cross(difference)) / 2;
+  return std::abs(s) <= (radius + slack) * std::abs(lambda);
 }
 
 }  // namespace burmester

@@ -23,8 +23,7 @@ namespace burmester {
 template <class T>
 std::optional<LinearForm<T>> line_through(const std::array<Point2<T>, 2>& points);
 
-/// (K0, K1, K2, K3): K0 (x^2 + y^2) + 2 K1 x w + 2 K2 y w + K3 w^2 = 0; K0 = 0 is a straight line. Centre and
-/// radius:
+/// (K0, K1, K2, K3): K0 (x^2 + y^2) + 2 K1 x w + 2 K2 y w + K3 w^2 = 0; K0 = 0 is a straight line. Centre and radius:
 /// (-K1, -K2) / K0, r^2 = (K1^2 + K2^2 - K0 K3) / K0^2.
 template <class T>
 std::optional<Vector<T, 4>> circle_through(const std::array<Point2<T>, 3>& points);

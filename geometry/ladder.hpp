@@ -30,8 +30,7 @@ struct Sign {
 template <class F, std::size_t N>
 [[gnu::cold]] Sign sign_beyond_doubles(const std::array<double, N>& x);
 
-/// The sign of F(x) and the rung that decided it. Doubles never prove a zero, intervals only where nothing
-/// was rounded.
+/// The sign of F(x) and the rung that decided it. Doubles never prove a zero, intervals only where nothing was rounded.
 template <class F, std::size_t N>
 inline Sign exact_sign(const std::array<double, N>& x) {
   if (const std::optional<int> sign = sign_by_doubles<F>(x)) return {*sign, Rung::doubles};

@@ -12,6 +12,7 @@
 #include <cstddef>
 
 #include "burmester/geometry/conic.hpp"
+#include "burmester/geometry/cubic.hpp"
 #include "burmester/geometry/number.hpp"
 #include "burmester/geometry/vector.hpp"
 
@@ -35,12 +36,26 @@ struct TernaryForm {
     (*this)(2, 0) = c.q[0], (*this)(0, 2) = c.q[1], (*this)(0, 0) = c.q[2];
     (*this)(0, 1) = c.q[3], (*this)(1, 0) = c.q[4], (*this)(1, 1) = c.q[5];
   }
+  explicit TernaryForm(const Cubic<T>& f) : TernaryForm(3) {
+    std::size_t k = 0;
+    for (int rest = 0; rest <= 3; ++rest)
+      for (int j = rest; j >= 0; --j) (*this)(3 - rest, j) = f.c[k++];
+  }
   /// The same form over another number type. Precondition: the numbers are numbers of U, or are rounded.
   template <class U>
   TernaryForm<U> cast() const {
     TernaryForm<U> out(degree);
     for (int k = 0; k < size(); ++k) out.coefficients[index(k)] = U(coefficients[index(k)]);
     return out;
+  }
+
+  /// Precondition: degree three.
+  Cubic<T> cubic() const {
+    Cubic<T> f;
+    std::size_t k = 0;
+    for (int rest = 0; rest <= 3; ++rest)
+      for (int j = rest; j >= 0; --j) f.c[k++] = (*this)(3 - rest, j);
+    return f;
   }
 
   int size() const { return (degree + 1) * (degree + 2) / 2; }

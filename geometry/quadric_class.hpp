@@ -1,5 +1,4 @@
-// Affine class of a real quadric of P^3, proved, its centre, and the two families of lines of a doubly ruled
-// one.
+// Affine class of a real quadric of P^3, proved, its centre, and the two families of lines of a doubly ruled one.
 //
 // Which plane counts as infinity is a parameter: the same quadric is a hyperboloid of one sheet in one chart
 // and a hyperbolic paraboloid in another. The class is read off the ranks and signatures of the form and of

@@ -5,19 +5,16 @@
 //   A(U) alpha^2 + A(V) beta^2 + A(W) gamma^2 + A(V,W) beta gamma + A(U,W) alpha gamma + A(U,V) alpha beta,
 // whose coefficients are forms of degree 0, 1 or 2 in (s : t). Two cases:
 //
-// - The axis is a chord: both quadrics cut the same two points from it (real, complex, or one twice), or one
-// holds it.
+// - The axis is a chord: both quadrics cut the same two points from it (real, complex, or one twice), or one holds it.
 //   Then a combination of the two conics is gamma l, where l = 0 is the radical line of the sections, and the
 //   curve is the two points of l on either conic, real and different where -l^T adj(2 A) l > 0, a form of
 //   degree 4. Planar dyads: with the axis X3 = X4 = 0 and t : s = X3 : X4 the sections are circles (RR) and
 //   straight lines (PR, RP).
-// - Any other axis: up to four points in each plane (common_points.hpp), two of which coincide at the zeros
-// of the
+// - Any other axis: up to four points in each plane (common_points.hpp), two of which coincide at the zeros of the
 //   discriminant of det(lambda A + mu B), a form of degree 8.
 //
 // The turning points, where the number of real points in a plane changes by two, lie in planes of odd real
-// zeros. (J. Levin, Comm. ACM 19, 1976, and CGIP 11, 1979, parametrises by a ruled member of the pencil
-// instead.)
+// zeros. (J. Levin, Comm. ACM 19, 1976, and CGIP 11, 1979, parametrises by a ruled member of the pencil instead.)
 #pragma once
 
 #include <algorithm>
@@ -44,8 +41,7 @@ struct PlanePencil {
   }
 };
 
-/// The planes through the line U V; W0 and W1 are unit points, W0 the earlier one. Precondition: U and V
-/// differ.
+/// The planes through the line U V; W0 and W1 are unit points, W0 the earlier one. Precondition: U and V differ.
 template <class T>
 PlanePencil<T> planes_through(const Point3<T>& U, const Point3<T>& V) {
   using std::abs;

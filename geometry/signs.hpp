@@ -1,5 +1,4 @@
-// Ready exact signs of geometry, for every target: determinants, orientations, incircle, the closure of a
-// dyad.
+// Ready exact signs of geometry, for every target: determinants, orientations, incircle, the closure of a dyad.
 //
 // Each is a polynomial, for exact_sign of ladder.hpp, and a function on vectors and matrices that calls it.
 // The data are the doubles, read as exact numbers. Costs: bench/signs.cpp.

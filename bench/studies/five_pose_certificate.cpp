@@ -94,21 +94,24 @@ double mean(const std::vector<float>& x) {
 int main(int argc, char** argv) {
   const long generic = argc > 1 ? std::atol(argv[1]) : 1000000, others = argc > 2 ? std::atol(argv[2]) : 100000;
   bool good = true;
-  fmt::print("| class | tasks | not certified | count: intervals / exact | boxes: intervals / exact | radius: median | 99.9 % | "
-             "largest | roots alone, us: median | proved: median, mean | whole report: median, mean |\n"
-             "|---|---|---|---|---|---|---|---|---|---|---|\n");
+  fmt::print(
+      "| class | tasks | not certified | count: intervals / exact | boxes: intervals / exact | radius: median | 99.9 % "
+      "| "
+      "largest | roots alone, us: median | proved: median, mean | whole report: median, mean |\n"
+      "|---|---|---|---|---|---|---|---|---|---|---|\n");
   for (const TaskClass& c : random_task_classes()) {
     const bool is_generic = c.name == "generic";
     Outcome out = run(c, is_generic ? generic : others);
     const double tail = quantile(out.radius, 0.999), ratio = quantile(out.roots, 0.5) / quantile(out.bare, 0.5);
     good = good && out.uncertified == 0 && ratio < 10 && (!is_generic || tail <= 1e-9);
     const auto percent = [&](long n) { return 100 * static_cast<double>(n) / static_cast<double>(out.tasks); };
-    fmt::print("| {} | {} | {} | {:.3f} / {:.3f} % | {:.3f} / {:.3f} % | {:.0e} | {:.0e} | {:.0e} | {:.2f} | {:.1f}, {:.1f} | "
-               "{:.0f}, {:.0f} |\n",
-               c.name, out.tasks, out.uncertified, 100 - percent(out.count_exact), percent(out.count_exact),
-               100 - percent(out.boxes_exact), percent(out.boxes_exact), quantile(out.radius, 0.5), tail,
-               *std::max_element(out.radius.begin(), out.radius.end()), quantile(out.bare, 0.5), quantile(out.roots, 0.5),
-               mean(out.roots), quantile(out.proof, 0.5), mean(out.proof));
+    fmt::print(
+        "| {} | {} | {} | {:.3f} / {:.3f} % | {:.3f} / {:.3f} % | {:.0e} | {:.0e} | {:.0e} | {:.2f} | {:.1f}, {:.1f} | "
+        "{:.0f}, {:.0f} |\n",
+        c.name, out.tasks, out.uncertified, 100 - percent(out.count_exact), percent(out.count_exact),
+        100 - percent(out.boxes_exact), percent(out.boxes_exact), quantile(out.radius, 0.5), tail,
+        *std::max_element(out.radius.begin(), out.radius.end()), quantile(out.bare, 0.5), quantile(out.roots, 0.5),
+        mean(out.roots), quantile(out.proof, 0.5), mean(out.proof));
     std::fflush(stdout);
   }
   return good ? 0 : 1;

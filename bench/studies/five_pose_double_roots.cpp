@@ -28,10 +28,11 @@ int main(int argc, char** argv) {
   }
   double_roots::Outcome out;
   for (const auto& p : part) out.add(p);
-  fmt::print("problems {}, poses {}\nnot certified though all dyads are simple: {}\nwrong certified counts: {}\n"
-             "warnings missing below 10 units: {}\nwarnings above 1000 units: {}\nwarnings of the wrong kind: {}\n"
-             "double roots not crossed: {}\nlargest relative error of the distance stated, below 1000 units: {:.1e}\n",
-             out.problems, out.poses, out.uncertified, out.wrong_count, out.missing, out.needless, out.wrong_kind,
-             out.not_bracketed, out.largest_error);
+  fmt::print(
+      "problems {}, poses {}\nnot certified though all dyads are simple: {}\nwrong certified counts: {}\n"
+      "warnings missing below 10 units: {}\nwarnings above 1000 units: {}\nwarnings of the wrong kind: {}\n"
+      "double roots not crossed: {}\nlargest relative error of the distance stated, below 1000 units: {:.1e}\n",
+      out.problems, out.poses, out.uncertified, out.wrong_count, out.missing, out.needless, out.wrong_kind,
+      out.not_bracketed, out.largest_error);
   return out.good() ? 0 : 1;
 }

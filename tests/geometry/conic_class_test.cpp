@@ -84,8 +84,7 @@ TEST(ConicClass, CirclesAndRightAnglesAreInvariantUnderSimilarities) {
   }
 }
 
-/// One unit in the last place of z^2 opens a degenerate conic. det changes by delta times the minor of q0,
-/// q1.
+/// One unit in the last place of z^2 opens a degenerate conic. det changes by delta times the minor of q0, q1.
 TEST(ConicClass, IsDecidedByTheLastBit) {
   Random random("ConicClass.IsDecidedByTheLastBit");
   for (int i = 0; i < 100; ++i) {
@@ -147,8 +146,7 @@ C central_conic(const Vector2& centre, double angle, double square0, double squa
   return substituted(C({1 / square0, 1 / square1, -1, 0, 0, 0}), H);
 }
 
-/// Entries of size 1 with a few roundings each; division by the discriminant and by square roots of size
-/// 1/20.
+/// Entries of size 1 with a few roundings each; division by the discriminant and by square roots of size 1/20.
 TEST(ConicAxes, AreThoseOfTheConstruction) {
   Random random("ConicAxes.AreThoseOfTheConstruction");
   for (int i = 0; i < 300; ++i) {
@@ -282,8 +280,7 @@ TEST(Parametrisation, ReachesEveryPoint) {
   }
 }
 
-/// real_point: an eigenvalue decomposition, backward stable. Then |Q(X)| = Q(D)^2 |Q(P)| and the roundings of
-/// X.
+/// real_point: an eigenvalue decomposition, backward stable. Then |Q(X)| = Q(D)^2 |Q(P)| and the roundings of X.
 TEST(Parametrisation, ThroughARealPointLiesOnTheConic) {
   Random random("ConicParametrisation.ThroughARealPointLiesOnTheConic");
   int conics = 0;

@@ -35,7 +35,10 @@ struct PlantedPencil {
 const std::vector<PlantedPencil>& pencils() {
   constexpr std::array<int, 3> o{0, 0, 1};
   static const std::vector<PlantedPencil> all{
-      {"four points", {1, 0, -1, 0, 0, 0}, {0, 1, -1, 0, 0, 0}, {{{1, 1, 1}, 1}, {{1, -1, 1}, 1}, {{-1, 1, 1}, 1}, {{-1, -1, 1}, 1}}},
+      {"four points",
+       {1, 0, -1, 0, 0, 0},
+       {0, 1, -1, 0, 0, 0},
+       {{{1, 1, 1}, 1}, {{1, -1, 1}, 1}, {{-1, 1, 1}, 1}, {{-1, -1, 1}, 1}}},
       {"two points", {1, 1, -1, 0, 0, 0}, {0, 1, 0, -3, 0, 0}, {{{1, 0, 1}, 1}, {{-1, 0, 1}, 1}}},
       {"none", {1, 0, 1, 0, 0, 0}, {0, 1, 1, 0, 0, 0}, {}},
       {"none, one conic without points", {1, 1, 1, 0, 0, 0}, {1, 2, -1, 1, 0, 0}, {}},
@@ -46,7 +49,10 @@ const std::vector<PlantedPencil>& pencils() {
       {"fourfold", {-1, 0, 0, 1, 0, 0}, {0, 1, 0, 0, 0, 0}, {{o, 4}}},
       {"double contact", {1, 1, -1, 0, 0, 0}, {0, 1, 0, 0, 0, 0}, {{{1, 0, 1}, 2}, {{-1, 0, 1}, 2}}},
       {"complex double contact", {1, 1, -1, 0, 0, 0}, {0, 0, 1, 0, 0, 0}, {}},
-      {"line pairs through a vertex", {0, 0, 0, 0, 0, 1}, {1, -1, 0, 1, -1, 0}, {{o, 2}, {{0, 1, 1}, 1}, {{1, 0, 1}, 1}}},
+      {"line pairs through a vertex",
+       {0, 0, 0, 0, 0, 1},
+       {1, -1, 0, 1, -1, 0},
+       {{o, 2}, {{0, 1, 1}, 1}, {{1, 0, 1}, 1}}},
       {"tangent to a line at the vertex", {0, 0, 0, 0, 0, 1}, {0, -1, 0, 0, 1, 0}, {{o, 3}, {{1, 0, 0}, 1}}},
       {"double line", {1, 0, 0, 0, 0, 0}, {0, 1, -1, 0, 0, 1}, {{{0, 1, 1}, 2}, {{0, -1, 1}, 2}}},
       {"tangent double line", {1, 0, 0, 0, 0, 0}, {0, -1, 0, 0, 1, 0}, {{o, 4}}},
@@ -107,7 +113,8 @@ double width(const ProjectivePointBox& box) {
   return out;
 }
 
-void expect_planted(const PlantedPencil& planted, const CertifiedCommonPoints& found, const Matrix3& m, const std::string& label) {
+void expect_planted(const PlantedPencil& planted, const CertifiedCommonPoints& found, const Matrix3& m,
+                    const std::string& label) {
   ASSERT_EQ(found.kind, planted.kind) << label;
   ASSERT_EQ(found.points.size(), planted.points.size()) << label;
   EXPECT_NE(found.rung, Rung::none) << label;
@@ -125,7 +132,8 @@ void expect_planted(const PlantedPencil& planted, const CertifiedCommonPoints& f
     EXPECT_EQ(hits, 1) << label;
   }
   if (planted.kind == PencilKind::common_line) {
-    const Point line = m.transpose() * Point(Rational(planted.line[0]), Rational(planted.line[1]), Rational(planted.line[2]));
+    const Point line =
+        m.transpose() * Point(Rational(planted.line[0]), Rational(planted.line[1]), Rational(planted.line[2]));
     EXPECT_TRUE(contains(found.line, line)) << label;
   }
 }
@@ -206,7 +214,8 @@ TEST(CertifiedCommonPoints, BothRoutesSayTheSame) {
   Random random("CertifiedCommonPoints.BothRoutesSayTheSame");
   int by_intervals = 0;
   for (int n = 0; n < 1000; ++n) {
-    const QuadPoint p = random_point(random), q = random_point(random), r = random_point(random), s = random_point(random);
+    const QuadPoint p = random_point(random), q = random_point(random), r = random_point(random),
+                    s = random_point(random);
     const ConicPair pair = n % 3 == 0   ? through(p, q, r, s, random)
                            : n % 3 == 1 ? through_two_real(p, q, r, s, random)
                                         : through_none_real(p, q, r, s, random);
@@ -232,7 +241,8 @@ TEST(CertifiedCommonPoints, WhereDoublesCannotTell) {
   const ConicQ parabola = conic({-1, 0, 0, 1, 0, 0});
   for (const auto& [sign, exponent] : {std::pair{1, 200}, {0, 0}, {-1, 200}, {1, 3000}, {-1, 3000}}) {
     const Rational e = Rational(sign) / Rational(Integer(1) << exponent);
-    const ConicQ lines({Rational(0), Rational(1), Rational(-e), Rational(1 - e), Rational(0), Rational(0)});  // (y - e)(y + 1)
+    const ConicQ lines(
+        {Rational(0), Rational(1), Rational(-e), Rational(1 - e), Rational(0), Rational(0)});  // (y - e)(y + 1)
     const CertifiedCommonPoints found = certified_common_points(parabola, lines);
     ASSERT_EQ(found.points.size(), static_cast<std::size_t>(1 + sign)) << sign;
     EXPECT_EQ(found.rung, Rung::exact);

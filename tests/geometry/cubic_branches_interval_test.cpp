@@ -71,7 +71,8 @@ TEST(CubicBranches, IntervalsSettleRandomCubics) {
   const int all = 500;
   for (int k = 0; k < all; ++k) {
     const CorpusCurve c = random_circular_cubic("CubicBranches.IntervalsSettleRandomCubics." + std::to_string(k));
-    const CurveTopology exact = branches_by_rationals(cubic_of<Rational>(c.curve), cast<Rational>(*c.on_curve)).topology;
+    const CurveTopology exact =
+        branches_by_rationals(cubic_of<Rational>(c.curve), cast<Rational>(*c.on_curve)).topology;
     const UpwardRounding upward;
     const auto found = branches_by_intervals(cubic_of<Interval>(c.curve), cast<Interval>(*c.on_curve));
     if (!found) continue;
@@ -109,7 +110,8 @@ TEST(CubicBranches, SameTopologyFromEveryPointOfTheCurve) {
 TEST(CubicBranches, SingularPointsLieWhereTheGradientVanishes) {
   for (const CorpusCurve& c : cubics_with_a_point()) {
     const Cubic<double> f = cubic_of<double>(c.curve);
-    for (const SingularPoint& p : branches_by_rationals(cubic_of<Rational>(c.curve), cast<Rational>(*c.on_curve)).topology.singular)
+    for (const SingularPoint& p :
+         branches_by_rationals(cubic_of<Rational>(c.curve), cast<Rational>(*c.on_curve)).topology.singular)
       EXPECT_LT(f.gradient(p.at).norm(), 1e-6 * f.gradient_bound()) << c.name;  // roots split by 2^-40 are 2^-20 apart
   }
 }
@@ -123,7 +125,9 @@ TEST(CubicBranches, FactorsMultiplyToTheCubic) {
     for (const Conic<double>& q : t.conics) product = product * PlaneCurve(q);
     ASSERT_EQ(product.degree, 3);
     Vector<double, 10> ours, theirs;
-    for (int k = 0; k < 10; ++k) ours[k] = product.coefficients[static_cast<std::size_t>(k)], theirs[k] = c.curve.coefficients[static_cast<std::size_t>(k)];
+    for (int k = 0; k < 10; ++k)
+      ours[k] = product.coefficients[static_cast<std::size_t>(k)],
+      theirs[k] = c.curve.coefficients[static_cast<std::size_t>(k)];
     ours.normalize(), theirs.normalize();
     EXPECT_LT(std::min((ours - theirs).norm(), (ours + theirs).norm()), 1e-12) << c.name;
   }
@@ -132,7 +136,8 @@ TEST(CubicBranches, FactorsMultiplyToTheCubic) {
 TEST(CubicBranches, PointsAtInfinityAndAsymptotes) {
   for (const CorpusCurve& c : cubics_with_a_point()) {
     const Cubic<double> f = cubic_of<double>(c.curve);
-    const auto at_infinity = branches_by_rationals(cubic_of<Rational>(c.curve), cast<Rational>(*c.on_curve)).topology.at_infinity;
+    const auto at_infinity =
+        branches_by_rationals(cubic_of<Rational>(c.curve), cast<Rational>(*c.on_curve)).topology.at_infinity;
     for (const PointAtInfinity& p : at_infinity) {
       EXPECT_EQ(p.at[2], 0);
       EXPECT_LT(std::abs(f(p.at)), 1e-11 * f.gradient_bound()) << c.name;
@@ -142,7 +147,9 @@ TEST(CubicBranches, PointsAtInfinityAndAsymptotes) {
     EXPECT_LE(at_infinity.size(), 3u);
   }
   // x (x^2 + y^2) = y^2 - x^2 has the asymptote x = 1.
-  const auto strophoid = branches_by_rationals(cubic_of<Rational>(circular_cubic(1, 0, 1, 0, -1, 0, 0, 0)), cast<Rational>(Point2<double>(0, 1, 0))).topology;
+  const auto strophoid = branches_by_rationals(cubic_of<Rational>(circular_cubic(1, 0, 1, 0, -1, 0, 0, 0)),
+                                               cast<Rational>(Point2<double>(0, 1, 0)))
+                             .topology;
   ASSERT_EQ(strophoid.at_infinity.size(), 1u);
   EXPECT_NEAR(strophoid.at_infinity[0].tangent[0] + strophoid.at_infinity[0].tangent[2], 0, 1e-15);
   EXPECT_EQ(strophoid.at_infinity[0].tangent[1], 0);
@@ -153,7 +160,8 @@ TEST(CubicBranches, BranchesLieOnTheCurveAndBoxesHoldThem) {
     const UpwardRounding upward;
     const Cubic<double> f = cubic_of<double>(c.curve);
     const Cubic<Interval> enclosing = cubic_of<Interval>(c.curve);
-    for (const CubicBranch& branch : branches_by_rationals(cubic_of<Rational>(c.curve), cast<Rational>(*c.on_curve)).branches)
+    for (const CubicBranch& branch :
+         branches_by_rationals(cubic_of<Rational>(c.curve), cast<Rational>(*c.on_curve)).branches)
       for (const CubicBranch::Passage& passage : branch.passages)
         for (double s = -1; s <= 1; s += 0.125) {
           const Point2<double> p = branch.approximate(s, passage.sheet);
@@ -165,7 +173,8 @@ TEST(CubicBranches, BranchesLieOnTheCurveAndBoxesHoldThem) {
 }
 
 TEST(CubicBranches, ASingularBasePointIsRefusedWithAReason) {
-  const CubicBranches node = branches_by_rationals(cubic_of<Rational>(weierstrass(1, 0, 0)), cast<Rational>(Point2<double>(0, 0, 1)));
+  const CubicBranches node =
+      branches_by_rationals(cubic_of<Rational>(weierstrass(1, 0, 0)), cast<Rational>(Point2<double>(0, 0, 1)));
   EXPECT_EQ(node.topology.rung, Rung::none);
   EXPECT_FALSE(node.topology.reason.empty());
   EXPECT_TRUE(node.branches.empty());

@@ -106,8 +106,14 @@ TEST(CurveTrace, EveryPointOfThePolylineIsWithinTheErrorOfTheCurve) {
         ASSERT_LE(piece.max_error, tolerance);
         ASSERT_EQ(piece.points.size(), piece.partners.size());
         const double e = piece.max_error * (1 + 1e-9);
-        for_points_on_chords(piece.points, piece.closed, random, [&](const Point& p) { ASSERT_TRUE(meets_disc(moving, p, e)) << k; ++checked; });
-        for_points_on_chords(piece.partners, piece.closed, random, [&](const Point& p) { ASSERT_TRUE(meets_disc(fixed, p, e)) << k; ++checked; });
+        for_points_on_chords(piece.points, piece.closed, random, [&](const Point& p) {
+          ASSERT_TRUE(meets_disc(moving, p, e)) << k;
+          ++checked;
+        });
+        for_points_on_chords(piece.partners, piece.closed, random, [&](const Point& p) {
+          ASSERT_TRUE(meets_disc(fixed, p, e)) << k;
+          ++checked;
+        });
       }
     }
   }
@@ -125,8 +131,11 @@ TEST(CurveTrace, EveryPointOfTheCurveInTheWindowIsWithinTheErrorOfThePolyline) {
     for (const CubicBranch& branch : traced.branches.branches)
       for (const CubicBranch::Passage& passage : branch.passages)
         for (int n = 0; n < 50; ++n) {
-          const Point p = branch.approximate(random.uniform(-1, 1), passage.sheet), c = partner(traced.partner->approximate, p);
-          const auto inside = [&](const Point& x) { return std::max(std::abs(x[0]), std::abs(x[1])) < options.window * std::abs(x[2]); };
+          const Point p = branch.approximate(random.uniform(-1, 1), passage.sheet),
+                      c = partner(traced.partner->approximate, p);
+          const auto inside = [&](const Point& x) {
+            return std::max(std::abs(x[0]), std::abs(x[1])) < options.window * std::abs(x[2]);
+          };
           if (!inside(p) || !inside(c)) continue;
           ++checked;
           EXPECT_LT(distance_to_pieces(p / p[2], traced.pieces, false), error + 1e-9) << k;
@@ -142,7 +151,8 @@ TEST(CurveTrace, PairedPointsAreEquidistantInAllPositions) {
     const auto d = random_positions(random, random_plane_displacement);
     for (const CurvePiece& piece : trace_plane_positions(d, {1e-4, 0.5, 5}).pieces)
       for (std::size_t i = 0; i < piece.points.size(); ++i) {
-        const double x = piece.points[i][0], y = piece.points[i][1], cx = piece.partners[i][0], cy = piece.partners[i][1];
+        const double x = piece.points[i][0], y = piece.points[i][1], cx = piece.partners[i][0],
+                     cy = piece.partners[i][1];
         const double length = std::hypot(x - cx, y - cy);
         for (const FourDoubles& pose : d) {
           const double cosine = pose[3] * pose[3] - pose[2] * pose[2], sine = 2 * pose[2] * pose[3];
@@ -166,7 +176,9 @@ TEST(CurveTrace, CorpusCurvesAreTracedThroughTheirSingularPoints) {
       ++(piece.closed ? closed : open)[piece.component];
       EXPECT_TRUE(piece.partners.empty());
       if (c.name.find("tangent") != std::string::npos) continue;  // where branches touch, F hardly changes its sign
-      for_points_on_chords(piece.points, piece.closed, random, [&](const Point& p) { ASSERT_TRUE(meets_disc(exact, p, piece.max_error * (1 + 1e-9))) << c.name; });
+      for_points_on_chords(piece.points, piece.closed, random, [&](const Point& p) {
+        ASSERT_TRUE(meets_disc(exact, p, piece.max_error * (1 + 1e-9))) << c.name;
+      });
     }
     for (const CubicBranch& branch : branches.branches)
       for (const CubicBranch::Passage& passage : branch.passages)
@@ -218,8 +230,10 @@ TEST(CurveTrace, OnTheSphereEachBranchIsOneClosedPieceWithinItsError) {
         EXPECT_LT((piece.partners[i] - piece.partners[(i + 1) % size]).norm(), 0.21) << k;
       }
       const double e = piece.max_error * (1 + 1e-9);
-      for_points_on_chords(piece.points, true, random, [&](const Point& p) { ASSERT_TRUE(meets_disc(moving, p.normalized(), e)) << k; });
-      for_points_on_chords(piece.partners, true, random, [&](const Point& p) { ASSERT_TRUE(meets_disc(fixed, p.normalized(), e)) << k; });
+      for_points_on_chords(piece.points, true, random,
+                           [&](const Point& p) { ASSERT_TRUE(meets_disc(moving, p.normalized(), e)) << k; });
+      for_points_on_chords(piece.partners, true, random,
+                           [&](const Point& p) { ASSERT_TRUE(meets_disc(fixed, p.normalized(), e)) << k; });
     }
     EXPECT_EQ(odd, 1) << "the odd branch comes back to the opposite point; " << k;
   }
@@ -253,7 +267,8 @@ TEST(CurveTrace, ErrorsOfTheCoefficientsCount) {
   f.c[2] = 1, f.c[7] = 1, f.c[9] = -1;
   const TubeCurve exact(f), vague(f, 1e-6), hopeless(f, 0.5);
   const Point x(1, 0, 1), y(std::cos(0.01), std::sin(0.01), 1), n(std::cos(0.005), std::sin(0.005), 0);
-  const auto sharp = tube_radius(exact, TubePoint(x, exact), TubePoint(y, exact), n), wide = tube_radius(vague, TubePoint(x, vague), TubePoint(y, vague), n);
+  const auto sharp = tube_radius(exact, TubePoint(x, exact), TubePoint(y, exact), n),
+             wide = tube_radius(vague, TubePoint(x, vague), TubePoint(y, vague), n);
   ASSERT_TRUE(sharp && wide);
   EXPECT_GT(*wide, *sharp + 1e-6);  // a circle of radius 1 +- 1e-6 or so
   EXPECT_FALSE(tube_radius(hopeless, TubePoint(x, hopeless), TubePoint(y, hopeless), n));
@@ -264,7 +279,9 @@ TEST(CurveTrace, TwoThreadsTraceAlikeAndTheRoundingModeIsRestored) {
     Random random("CurveTrace.TwoThreads");
     std::vector<CurvePiece> all;
     for (int k = 0; k < 20; ++k)
-      for (CurvePiece& piece : trace_plane_positions(random_positions(random, random_plane_displacement), {1e-4, 0.5, 5}).pieces) all.push_back(std::move(piece));
+      for (CurvePiece& piece :
+           trace_plane_positions(random_positions(random, random_plane_displacement), {1e-4, 0.5, 5}).pieces)
+        all.push_back(std::move(piece));
     return all;
   };
   std::vector<CurvePiece> one, two;

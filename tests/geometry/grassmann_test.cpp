@@ -23,8 +23,7 @@ std::array<Vector<Rational, n>, count> random_points(Random& random) {
   return out;
 }
 
-/// M. J. D. Hayes, course notes on Grassmannians: x^2 + y^2 - 2 x z - 2 y z + z^2 = 0, centre (1, 1),
-/// radius 1.
+/// M. J. D. Hayes, course notes on Grassmannians: x^2 + y^2 - 2 x z - 2 y z + z^2 = 0, centre (1, 1), radius 1.
 TEST(CircleThrough, ReproducesThePublishedCircle) {
   const std::array<Point2<double>, 3> points{Point2<double>(2, 1, 1), {1, 2, 1}, {0, 1, 1}};
   const auto K = circle_through(points);
@@ -32,8 +31,7 @@ TEST(CircleThrough, ReproducesThePublishedCircle) {
   EXPECT_LT((*K / (*K)[0] - Vector<double, 4>(1, -1, -1, 1)).norm(), 1e-15);
 }
 
-/// Two of the published feature-extraction points are enough for the line: x - y = 1 through (2, 1) and (3,
-/// 2).
+/// Two of the published feature-extraction points are enough for the line: x - y = 1 through (2, 1) and (3, 2).
 TEST(LineThrough, IsTheJoin) {
   const auto line = line_through<double>({Point2<double>(2, 1, 1), {3, 2, 1}});
   ASSERT_TRUE(line);
@@ -161,8 +159,7 @@ TEST(QuadricThrough, IsTheOnlyOneOnARationalQuartic) {
     EXPECT_NEAR(s->q[k] / s->q[6], k == 6 ? 1 : k == 7 ? -1 : 0, 1e-9) << k;
 }
 
-/// Rounding the points moves the form by the roundoff over the last pivot at most; normal data keeps nine
-/// digits.
+/// Rounding the points moves the form by the roundoff over the last pivot at most; normal data keeps nine digits.
 TEST(Through, DoublesAgreeWithExactArithmetic) {
   Random random("Through.DoublesAgreeWithExactArithmetic");
   for (int i = 0; i < 50; ++i) {

@@ -107,8 +107,7 @@ TEST(CurveCorpus, IsExact) {
   }
 }
 
-/// Points drawn by the linkage are on the curve; the coefficients are integers and the sum below has none
-/// above 2^53.
+/// Points drawn by the linkage are on the curve; the coefficients are integers and the sum below has none above 2^53.
 TEST(CurveCorpus, CouplerPointsAreOnTheCouplerCurve) {
   const corpus::FourBar bars{5, 2, 5, 4, 2, 1};
   const PlaneCurve curve = corpus::coupler_curve(bars);

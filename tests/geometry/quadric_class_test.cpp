@@ -131,8 +131,7 @@ TEST(CentreOf, HasThePlaneAtInfinityForItsPolar) {
   }
 }
 
-/// Eigenvalues and vectors are those of a matrix a few roundoffs away, and X sums four terms of size
-/// |corner|.
+/// Eigenvalues and vectors are those of a matrix a few roundoffs away, and X sums four terms of size |corner|.
 TEST(Rulings, LieOnTheQuadric) {
   Random random("Rulings.LieOnTheQuadric");
   int ruled = 0;

@@ -209,8 +209,7 @@ TEST(PointsInPlane, DoNotDependOnTheScaleOfTheForms) {
   }
 }
 
-/// The exact count of the exact section conics, and the sign of the discriminant: positive for 0 or 4,
-/// negative for 2.
+/// The exact count of the exact section conics, and the sign of the discriminant: positive for 0 or 4, negative for 2.
 TEST(PointsInPlane, OfAnyAxisAreAsManyAsTheConicsHave) {
   Random random("PointsInPlane.OfAnyAxisAreAsManyAsTheConicsHave");
   std::array<int, 5> seen{};

@@ -126,8 +126,7 @@ TYPED_TEST(EveryPolynomial, AgreesBetweenThreads) {
   EXPECT_EQ(first, signs());
 }
 
-// Sums of products that each lose up to half of the smallest double: without eta in the bound some signs are
-// wrong.
+// Sums of products that each lose up to half of the smallest double: without eta in the bound some signs are wrong.
 TEST(Signs, CountsWhatProductsLoseInUnderflow) {
   const std::string stream = "Signs.CountsWhatProductsLoseInUnderflow";
   Random random(stream);

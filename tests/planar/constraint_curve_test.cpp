@@ -49,8 +49,7 @@ QuadricType type_of(const Vector<double, 8>& k) {
   return type;
 }
 
-/// M. J. D. Hayes, P. J. Zsombor-Murray, "Solving the Burmester problem using kinematic mapping", ASME DETC
-/// 2002.
+/// M. J. D. Hayes, P. J. Zsombor-Murray, "Solving the Burmester problem using kinematic mapping", ASME DETC 2002.
 TEST(ConstraintSurface, IsAHyperboloidOrAParaboloid) {
   Random random("ConstraintSurface.IsAHyperboloidOrAParaboloid");
   for (int i = 0; i < 200; ++i) {
@@ -80,8 +79,7 @@ TEST(ConstraintSurface, TypeIsTheSignOfTheSquaredLength) {
 }
 
 /// Points of the parametrised surfaces of M. J. D. Hayes, T. Luu, X.-W. Chang, "Kinematic mapping application
-/// to approximate type and dimension synthesis of planar mechanisms", 2004, in 16 digits: (X1, X2, X3), X4
-/// = 1.
+/// to approximate type and dimension synthesis of planar mechanisms", 2004, in 16 digits: (X1, X2, X3), X4 = 1.
 TEST(ConstraintSurface, HoldsThePublishedParametrisation) {
   struct Case {
     Vector<double, 8> k;
@@ -139,8 +137,7 @@ Vector<Rational, 8> exact_form(const typename D::Design& d) {
 }
 
 /// The coupler can take an angle where the circles of the two pivots meet: with d the distance of their
-/// centres, shifted by the coupler, (a + b)^2 > d^2 > (a - b)^2. Times X3^2 + X4^2 both differences are of
-/// degree 2.
+/// centres, shifted by the coupler, (a + b)^2 > d^2 > (a - b)^2. Times X3^2 + X4^2 both differences are of degree 2.
 TEST(ConstraintCurve, OfAFourBarTurnsWhereTheCirclesTouch) {
   Random random("ConstraintCurve.OfAFourBarTurnsWhereTheCirclesTouch");
   for (int i = 0; i < 50; ++i) {

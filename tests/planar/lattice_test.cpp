@@ -1,5 +1,4 @@
-// Tasks with small integer data, where degeneracies of all kinds are frequent and exact, against rational
-// arithmetic.
+// Tasks with small integer data, where degeneracies of all kinds are frequent and exact, against rational arithmetic.
 #include <gtest/gtest.h>
 
 #include <optional>
@@ -30,8 +29,7 @@ std::string text(const FivePoseTask& task) {
   return out.str();
 }
 
-/// Whether every listed dyad meets the poses: to rounding, or nearly so where the report warns of a multiple
-/// dyad.
+/// Whether every listed dyad meets the poses: to rounding, or nearly so where the report warns of a multiple dyad.
 bool all_meet(const PlanarReport& report, const FivePoseTask& task) {
   const double allowed = report.warnings.empty() ? 1e-9 : 1e-4;
   for (const auto& found : report.dyads) {

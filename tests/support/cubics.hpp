@@ -1,14 +1,13 @@
-// Ternary forms of degree three as cubics over any number type, for tests.
+// Cubics and points in other number types, for tests.
 #pragma once
 
-#include "burmester/geometry/cubic.hpp"
 #include "burmester/geometry/plane_curve.hpp"
 
 namespace burmester {
 
 template <class T>
 Cubic<T> cubic_of(const PlaneCurve& f) {
-  return Cubic<T>({T(f(3, 0)), T(f(2, 1)), T(f(2, 0)), T(f(1, 2)), T(f(1, 1)), T(f(1, 0)), T(f(0, 3)), T(f(0, 2)), T(f(0, 1)), T(f(0, 0))});
+  return f.cast<T>().cubic();
 }
 
 template <class T>

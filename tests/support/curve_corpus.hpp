@@ -1,5 +1,4 @@
-// Plane curves whose topology is known by construction: what every route to a curve's topology is tested
-// with.
+// Plane curves whose topology is known by construction: what every route to a curve's topology is tested with.
 //
 // The numbers follow from the equations, as the comments say; nothing here was found by the code under test.
 // Moved copies (`moved`) are the same curves in other coordinates of the projective plane, integer ones of
@@ -39,8 +38,7 @@ inline PlaneCurve circle(double x, double y, double radius) {
 }
 inline PlaneCurve power(const PlaneCurve& f, int n) { return n == 1 ? f : f * power(f, n - 1); }
 
-/// y^2 z = x^3 + a x^2 z + b x z^2 + c z^3. One branch; besides it an oval where the cubic in x has three
-/// real roots.
+/// y^2 z = x^3 + a x^2 z + b x z^2 + c z^3. One branch; besides it an oval where the cubic in x has three real roots.
 inline PlaneCurve weierstrass(double a, double b, double c) {
   PlaneCurve f(3);
   f(0, 2) = 1, f(3, 0) = -1, f(2, 0) = -a, f(1, 0) = -b, f(0, 0) = -c;
@@ -207,8 +205,7 @@ inline std::vector<CorpusCurve> corpus_quartics() {
   const PlaneCurve ellipses = conic(1, 4, -4) * conic(4, 1, -4);
   const auto cassini = [&](double b4) { return circle(1, 0, 0) * circle(-1, 0, 0) + z4 * -b4; };
   return {
-      // Two ellipses with four crossings; the product is -1/8 within the four lenses, 1/8 within both and
-      // around both.
+      // Two ellipses with four crossings; the product is -1/8 within the four lenses, 1/8 within both and around both.
       {"two ellipses", ellipses, 1, 0, 0, 4, 0, 0, 0, 2},
       {"four ovals", ellipses + z4 * 0.125, 4, 4},
       {"nested ovals", ellipses + z4 * -0.125, 2, 2},
@@ -231,8 +228,7 @@ inline std::vector<CorpusCurve> corpus_quartics() {
       {"singular but smooth to the eye: y^3 = x^4", power(y, 3) * z + power(x, 4) * -1.0, 1, 0, 0, 0, 1},
       // y z = +-i x^2: two complex conics that touch in two real points.
       {"two complex conics", power(y * z, 2) + power(x, 4), 2, 0, 2, 0, 0, 2},
-      // (x^2 - z^2)^2 = 2 y^4: x^2 - z^2 = +-sqrt(2) y^2, two hyperbola-like conics that touch at (1 : 0 :
-      // +-1).
+      // (x^2 - z^2)^2 = 2 y^4: x^2 - z^2 = +-sqrt(2) y^2, two hyperbola-like conics that touch at (1 : 0 : +-1).
       {"two irrational conics", power(conic(1, 0, -1), 2) + power(y, 4) * -2.0, 1, 0, 0, 2},
   };
 }
@@ -268,8 +264,7 @@ inline CorpusCurve random_cubic(const std::string& name) {
   return moved(c, random_projective_map(random));
 }
 
-/// A circular cubic with random integer coefficients and its real point at infinity. Its topology is not
-/// known.
+/// A circular cubic with random integer coefficients and its real point at infinity. Its topology is not known.
 inline CorpusCurve random_circular_cubic(const std::string& name) {
   Random random(name);
   double c[8];

@@ -55,8 +55,8 @@ inline Data scales(const Data& x) {
 inline Lifted row(const Float* pose) {
   const Float &a = pose[0], &b = pose[1], &s = pose[2], &c = pose[3];
   const Float n = s * s + c * c, cosine = c * c - s * s, sine = 2 * s * c;
-  return {n * (a * a + b * b), 2 * n * a, 2 * n * b, 2 * (a * cosine + b * sine), 2 * (b * cosine - a * sine),
-          n, 2 * cosine, 2 * sine};
+  return {n * (a * a + b * b),         2 * n * a, 2 * n * b,  2 * (a * cosine + b * sine),
+          2 * (b * cosine - a * sine), n,         2 * cosine, 2 * sine};
 }
 
 /// By Gauss-Jordan elimination with complete pivoting.
@@ -133,8 +133,8 @@ inline Float discriminant(const Data& x) {
   for (const Float& coefficient : q) largest = std::max(largest, Float(abs(coefficient)));
   for (Float& coefficient : q) coefficient /= largest;
   const Float I = 12 * q[4] * q[0] - 3 * q[3] * q[1] + q[2] * q[2];
-  const Float J = 72 * q[4] * q[2] * q[0] + 9 * q[3] * q[2] * q[1] - 27 * q[4] * q[1] * q[1] -
-                  27 * q[0] * q[3] * q[3] - 2 * q[2] * q[2] * q[2];
+  const Float J = 72 * q[4] * q[2] * q[0] + 9 * q[3] * q[2] * q[1] - 27 * q[4] * q[1] * q[1] - 27 * q[0] * q[3] * q[3] -
+                  2 * q[2] * q[2] * q[2];
   return 4 * I * I * I - J * J;
 }
 
@@ -195,10 +195,13 @@ struct DoubleRoot {
 };
 
 struct Outcome {
-  long problems = 0, poses = 0, uncertified = 0, wrong_count = 0, missing = 0, needless = 0, wrong_kind = 0, not_bracketed = 0;
+  long problems = 0, poses = 0, uncertified = 0, wrong_count = 0, missing = 0, needless = 0, wrong_kind = 0,
+       not_bracketed = 0;
   double largest_error = 0;  ///< of the distance stated, relative, where a warning is due
 
-  bool good() const { return wrong_count + missing + needless + wrong_kind + uncertified + not_bracketed == 0 && largest_error < 0.01; }
+  bool good() const {
+    return wrong_count + missing + needless + wrong_kind + uncertified + not_bracketed == 0 && largest_error < 0.01;
+  }
   void add(const Outcome& o) {
     problems += o.problems, poses += o.poses, uncertified += o.uncertified, wrong_count += o.wrong_count;
     missing += o.missing, needless += o.needless, wrong_kind += o.wrong_kind, not_bracketed += o.not_bracketed;

@@ -21,8 +21,7 @@ Quadric<T> substituted(const Quadric<T>& form, const Matrix<T, 4, 4>& H) {
            m(1, 3), m(2, 3)}};
 }
 
-/// A product of elementary matrices with small integer entries: determinant 1. Affine: the last row is (0,
-/// .., 0, 1).
+/// A product of elementary matrices with small integer entries: determinant 1. Affine: the last row is (0, .., 0, 1).
 template <int N>
 Matrix<double, N, N> random_unimodular(Random& random, bool affine) {
   Matrix<double, N, N> H = Matrix<double, N, N>::Identity();

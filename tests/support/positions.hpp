@@ -41,7 +41,7 @@ Correlation<T> equidistant_in_plane(const FourDoubles& d) {
 template <class T>
 Correlation<T> equidistant_on_sphere(const FourDoubles& q) {
   const T x(q[0]), y(q[1]), z(q[2]), w(q[3]);
-  Correlation<T> m;  // row: coordinate of p; column: of R p
+  Correlation<T> m;                                                              // row: coordinate of p; column: of R p
   m << T(-2) * (y * y + z * z), T(2) * (x * y + z * w), T(2) * (x * z - y * w),  //
       T(2) * (x * y - z * w), T(-2) * (x * x + z * z), T(2) * (y * z + x * w),   //
       T(2) * (x * z + y * w), T(2) * (y * z - x * w), T(-2) * (x * x + y * y);
