@@ -104,7 +104,8 @@ BENCHMARK(traced);
 /// The proved distance between chord and curve; infinite where the test fails.
 double error_of(const TubeCurve& curve, const TubePoint& x, const TubePoint& y) {
   const double dx = y.at[0] - x.at[0], dy = y.at[1] - x.at[1], size = std::sqrt(dx * dx + dy * dy);
-  return tube_radius(curve, x, y, {-dy / size, dx / size, 0}).value_or(std::numeric_limits<double>::infinity());
+  const auto proved = tube(curve, x, y, {-dy / size, dx / size, 0});
+  return proved ? proved->radius : std::numeric_limits<double>::infinity();
 }
 
 struct PreparedCurve {

@@ -64,10 +64,12 @@ struct BinaryForm {
   }
   /// Precondition of sums: equal degrees.
   friend BinaryForm operator+(BinaryForm f, const BinaryForm& g) {
+    assert(f.degree == g.degree);
     for (std::size_t k = 0; k <= f.degree; ++k) f.c[k] += g.c[k];
     return f;
   }
   friend BinaryForm operator-(BinaryForm f, const BinaryForm& g) {
+    assert(f.degree == g.degree);
     for (std::size_t k = 0; k <= f.degree; ++k) f.c[k] -= g.c[k];
     return f;
   }

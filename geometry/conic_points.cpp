@@ -8,7 +8,7 @@
 #include "burmester/geometry/conic_count.hpp"
 #include "burmester/geometry/interval.hpp"
 #include "burmester/geometry/krawczyk.hpp"
-#include "burmester/geometry/rational_interval.hpp"
+#include "burmester/geometry/enclosure.hpp"
 
 namespace burmester {
 namespace {
@@ -135,8 +135,7 @@ CertifiedCommonPoints certified_common_points(const Conic<Rational>& a, const Co
   const Conic<Rational> unit_a = unit_sized(a), unit_b = unit_sized(b);
   const auto rounded = [](const Conic<Rational>& c) { return converted<double>(c, approximate<Rational>); };
   const auto enclosed = [](const Conic<Rational>& c) {
-    return converted<Interval>(
-        c, [](const Rational& q) { return Interval(lower(RationalInterval(q)), upper(RationalInterval(q))); });
+    return converted<Interval>(c, [](const Rational& q) { return enclosure(q); });
   };
   if (auto out = points_in_doubles(rounded(unit_a), rounded(unit_b), [&] {
         return std::array<Conic<Interval>, 2>{enclosed(unit_a), enclosed(unit_b)};

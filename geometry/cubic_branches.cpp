@@ -5,12 +5,14 @@
 #include <utility>
 
 #include "burmester/geometry/cubic_scene.hpp"
+#include "burmester/geometry/range.hpp"
 
 namespace burmester {
 namespace {
 
-double root_of(double x) { return std::sqrt(std::max(0.0, x)); }
-Interval root_of(const Interval& x) { return CGAL::sqrt(Interval(std::max(0.0, x.inf()), std::max(0.0, x.sup()))); }
+using detail::positive_root;
+
+Interval positive_root(const Interval& x) { return CGAL::sqrt(Interval(std::max(0.0, x.inf()), std::max(0.0, x.sup()))); }
 
 /// The branches of a scene.
 class Builder {
@@ -18,8 +20,11 @@ class Builder {
   explicit Builder(const detail::CubicScene& scene) : s_(scene) {
     for (const auto& root : s_.roots)
       if (root.multiplicity % 2 == 1) turning_.push_back(&root);
-    for (std::size_t k = 0; k < turning_.size(); ++k)
-      if (turning_[k]->sign_behind > 0) add_between(turning_[k]->at, turning_[(k + 1) % turning_.size()]->at);
+    for (std::size_t k = 0; k < turning_.size(); ++k) {
+      if (turning_[k]->sign_behind <= 0) continue;
+      const bool last = k + 1 == turning_.size();  // the roots are oriented one after the other; once round, u is -u
+      add_between(turning_[k]->at, last ? Point1<Interval>(-turning_[0]->at) : turning_[k + 1]->at);
+    }
     if (turning_.empty()) add_unbroken(s_.roots.empty() ? s_.sign : s_.roots[0].sign_behind);
     if (s_.line) add_line();
   }
@@ -59,9 +64,7 @@ class Builder {
     add(f, {{-1, false}});
   }
 
-  void add_between(const Point1<Interval>& a, Point1<Interval> b) {
-    const Point1<double> ma = detail::middle(a), mb = detail::middle(b);
-    if (ma[0] * mb[1] - ma[1] * mb[0] < 0) b = -b;
+  void add_between(const Point1<Interval>& a, const Point1<Interval>& b) {
     BranchForms<Interval> f = forms();
     const Point1<Interval> sum = a + b;
     f.u = {sum, Point1<Interval>((b[0] - a[0]) * 2, (b[1] - a[1]) * 2), sum};
@@ -70,6 +73,7 @@ class Builder {
     f.under_root =
         BinaryForm<Interval>::constant(-CGAL::square(across)) * f.under_root.divided_by_root(a).divided_by_root(b);
     f.turns = true;
+    if (contains_zero(across)) return add(f, {});  // doubles cannot tell a from b: counted, but not parametrised
     add(f, {{1, false}, {-1, true}});
   }
 
@@ -120,7 +124,7 @@ Point2<T> BranchForms<T>::operator()(const T& s, int sheet) const {
   const T rest = T(1) - s * s;
   if (line) return rest * base + q(u[0], T(2) * s);
   const Point1<T> at(T(u[0][0] + s * (u[1][0] + s * u[2][0])), T(u[0][1] + s * (u[1][1] + s * u[2][1])));
-  T root = factor(at) * root_of(under_root(at));
+  T root = factor(at) * positive_root(under_root(at));
   if (turns) root = root * rest;
   if (sheet < 0) root = -root;
   // Two vectors of the same direction, of which one may vanish.

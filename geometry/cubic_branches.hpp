@@ -41,7 +41,7 @@ struct CubicBranch {
     bool backwards = false;
   };
   int component = 0;
-  std::vector<Passage> passages;
+  std::vector<Passage> passages;  ///< none: its turning points are the same in doubles, and it cannot be traced
   BranchForms<double> approximate;
   BranchForms<Interval> enclosing;
 };

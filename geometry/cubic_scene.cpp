@@ -2,17 +2,15 @@
 
 #include <algorithm>
 
-#include "burmester/geometry/rational_interval.hpp"
+#include "burmester/geometry/enclosure.hpp"
 #include "burmester/geometry/real_roots.hpp"
 #include "burmester/geometry/simple_roots.hpp"
 
 namespace burmester::detail {
 namespace {
 
-Interval enclosure(const Rational& x) {
-  const RationalInterval point(x);
-  return {lower(point), upper(point)};
-}
+using burmester::enclosure;
+
 BinaryForm<Interval> enclosure(const BinaryForm<Rational>& f) {
   return converted<Interval>(f, [](const Rational& x) { return enclosure(x); });
 }
@@ -27,7 +25,8 @@ Point1<Interval> point(const ProjectiveBox& box) {
 void orient(std::vector<CubicScene::Root>& roots) {
   for (std::size_t k = 1; k < roots.size(); ++k) {
     const Point1<double> a = middle(roots[k - 1].at), b = middle(roots[k].at);
-    if (a[0] * b[1] - a[1] * b[0] < 0) roots[k].at = -roots[k].at;
+    const double across = a[0] * b[1] - a[1] * b[0];
+    if (across < 0 || (across == 0 && a.dot(b) < 0)) roots[k].at = -roots[k].at;
   }
 }
 
@@ -87,6 +86,20 @@ void split_exactly(const BinaryForm<Rational>& d, CubicScene& scene) {
   scene.rest = BinaryForm<Interval>::constant(enclosure(d.c[0]));
 }
 
+/// Numbers times a power of two that brings the largest near 1, so that none of size matters overflows as a double.
+template <class Numbers>
+void bring_near_one(Numbers& x) {
+  bool some = false;
+  int exponent = 0;
+  for (const Rational& value : x) {
+    if (value == 0) continue;
+    const int size = static_cast<int>(msb(abs(numerator(value)))) - static_cast<int>(msb(denominator(value)));
+    exponent = some ? std::max(exponent, size) : size, some = true;
+  }
+  const Rational power(Integer(1) << static_cast<unsigned>(std::abs(exponent)));
+  for (Rational& value : x) value = exponent > 0 ? Rational(value / power) : Rational(value * power);
+}
+
 /// A cubic divided by the line through the base that splits off, if one does.
 template <class T>
 std::optional<Point1<T>> divide_by_line(CubicPencil<T>& pencil) {
@@ -119,7 +132,7 @@ std::vector<CubicScene::Root> exact_roots(const BinaryForm<Rational>& f) {
   if (finite > 0)
     propagate_signs(roots, finite - 1, sign);
   else if (at_infinity > 0)
-    propagate_signs(roots, 0, at_infinity % 2 == 0 ? sign : -sign);
+    propagate_signs(roots, 0, sign);  // no finite root: both degrees are even
   orient(roots);
   return roots;
 }
@@ -147,7 +160,11 @@ std::optional<CubicScene> cubic_scene(const Cubic<Interval>& f, const Point2<Int
   return out;
 }
 
-std::optional<CubicScene> cubic_scene(const Cubic<Rational>& f, const Point2<Rational>& on_curve) {
+std::optional<CubicScene> cubic_scene(const Cubic<Rational>& given, const Point2<Rational>& given_point) {
+  Cubic<Rational> f = given;
+  Point2<Rational> on_curve = given_point;
+  bring_near_one(f.c);
+  bring_near_one(on_curve);
   CubicPencil<Rational> pencil(f, on_curve);
   if (pencil.a.is_zero()) return std::nullopt;
   const auto line = divide_by_line(pencil);
@@ -177,7 +194,8 @@ namespace {
 PointAtInfinity point_at_infinity(const Cubic<double>& f, const Point1<double>& u) {
   const Point2<double> direction(u[0], u[1], 0), at = direction / direction.cwiseAbs().maxCoeff();
   const LinearForm<double> tangent = f.gradient(at);
-  return {at, tangent / tangent.cwiseAbs().maxCoeff()};
+  const double size = tangent.cwiseAbs().maxCoeff();
+  return {at, size > 0 ? LinearForm<double>(tangent / size) : LinearForm<double>(0, 0, 1)};  // 0: rounded away
 }
 Cubic<double> rounded(const Cubic<Interval>& f) {
   Cubic<double> out;
@@ -196,7 +214,9 @@ std::optional<std::vector<PointAtInfinity>> points_at_infinity(const Cubic<Inter
   return out;
 }
 
-std::vector<PointAtInfinity> points_at_infinity(const Cubic<Rational>& f) {
+std::vector<PointAtInfinity> points_at_infinity(const Cubic<Rational>& given) {
+  Cubic<Rational> f = given;
+  bring_near_one(f.c);
   const BinaryForm<Rational> top({f.c[0], f.c[1], f.c[3], f.c[6]}), dz({f.c[2], f.c[4], f.c[7]});
   std::vector<PointAtInfinity> out;
   if (top.is_zero()) return out;

@@ -2,6 +2,8 @@
 // by users: cubic_branches.hpp is.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -9,6 +11,7 @@
 
 namespace burmester::detail {
 
+inline double positive_root(double x) { return std::sqrt(std::max(0.0, x)); }
 inline double middle(const Interval& x) { return approximate(x); }
 inline Point1<double> middle(const Point1<Interval>& u) { return {middle(u[0]), middle(u[1])}; }
 inline BinaryForm<double> middle(const BinaryForm<Interval>& f) {

@@ -8,8 +8,6 @@
 namespace burmester::detail {
 namespace {
 
-double positive_root(double x) { return std::sqrt(std::max(0.0, x)); }
-
 class Topologist {
  public:
   explicit Topologist(const CubicScene& scene)
@@ -68,7 +66,8 @@ class Topologist {
   void add_line_and_conic(const Point1<double>& u) {
     add_points_on_line(u);
     out_.lines.push_back(linear(BinaryForm<double>::vanishing_at(u)));
-    if (s_.rest.degree > 0 || middle(s_.rest.c[0]) < 0) {
+    const int sign = s_.roots.empty() ? s_.sign : s_.roots[0].sign_behind;  // of G, if it is a constant
+    if (s_.rest.degree > 0 || sign < 0) {
       out_.conics.push_back(conic(a_.c[0], b_, c_));
       return;
     }

@@ -4,15 +4,10 @@
 
 #include "burmester/geometry/cubic_branches.hpp"
 #include "burmester/geometry/curve_analysis.hpp"
-#include "burmester/geometry/rational_interval.hpp"
+#include "burmester/geometry/enclosure.hpp"
 
 namespace burmester {
 namespace {
-
-Interval enclosure(const Rational& x) {
-  const RationalInterval point(x);
-  return {lower(point), upper(point)};
-}
 
 std::optional<CurveTopology> by_intervals(const Cubic<Rational>& f, const Point2<Rational>& on_curve) {
   const UpwardRounding upward;

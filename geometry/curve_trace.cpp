@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 #include "burmester/geometry/range.hpp"
@@ -19,6 +20,7 @@ constexpr double short_passage = 0x1p-12;  // from here on boxes are tried where
 /// A point of the curve and its partner, as each chart shows them.
 struct Sample {
   std::array<TubePoint, 2> track;
+  bool valid = true;                  ///< not so where a point has no single partner
   bool inside = false, near = false;  ///< of the window; of the window with its margin
 };
 
@@ -49,8 +51,8 @@ class Plane {
                                                                sign * y.at[k] - window_ * std::abs(y.at[2]));
       if (!(gap > 0)) continue;
       const Vector<double, 3> across = x.at.cross(y.at), n = across / across.norm();
-      const auto radius = tube_radius(curve, x, y, n);
-      if (radius && *radius * (1 + window_) < gap && !over_chord(x, y, n, *radius, z)) return true;
+      const auto proved = tube(curve, x, y, n);
+      if (proved && proved->radius * (1 + window_) < gap && !over_chord(x, y, n, proved->radius, z)) return true;
     }
     return false;
   }
@@ -114,6 +116,7 @@ class Tracer {
       : chart_(chart), curve_(curve), partner_(partner), options_(options), tracks_(partner ? 2 : 1) {}
 
   std::vector<CurvePiece> trace(const CubicBranch& branch) {
+    if (branch.passages.empty()) return {};
     branch_ = &branch, pieces_.clear(), unbroken_ = true, connected_ = false, samples_ = 0;
     const Sample first = sample(start_of(branch.passages.front()), branch.passages.front().sheet);
     references_ = {first, sample(0, branch.passages.front().sheet)};  // 0 is an end of chords
@@ -125,6 +128,7 @@ class Tracer {
         const bool last = k + 1 == first_chords && &passage == &branch.passages.back();
         at = follow(at, last ? first : sample(to, passage.sheet), from, to, passage.sheet, 0);
       }
+    end_piece();
     close(first, at);
     return std::move(pieces_);
   }
@@ -138,10 +142,12 @@ class Tracer {
     Point p = branch_->approximate(s, sheet);
     for (std::size_t k = 0; k < tracks_; ++k) {
       if (k == 1) p = partner<double>(partner_->approximate, out.track[0].at);
+      out.valid = out.valid && p.squaredNorm() > 0;
       out.track[k] = TubePoint(chart_.place(p), form(k));
       out.inside = out.inside && chart_.inside(out.track[k].at, 1);
       out.near = out.near && chart_.inside(out.track[k].at, margin);
     }
+    out.inside = out.inside && out.valid, out.near = out.near && out.valid;
     ++samples_;
     return out;
   }
@@ -162,9 +168,11 @@ class Tracer {
     int parts = 2;
     if (x.near && y.near && (x.inside || y.inside)) {
       const Chord chord = judge(x, y, from, to, sheet);
-      if (chord.parts == 1) return accept(x, y, chord.error);
+      if (chord.parts == 1) return accept(x, y, chord, from, sheet);
       parts = chord.parts;
-    } else if (left_out(x, y, from, to, sheet)) {
+    } else if (!x.valid && !y.valid) {
+      return interrupt(y);
+    } else if (x.valid && y.valid && left_out(x, y, from, to, sheet)) {
       return interrupt(y);
     }
     const double step = (to - from) / parts;
@@ -180,22 +188,26 @@ class Tracer {
   struct Chord {
     double error = 0;
     int parts = 2;
+    std::array<double, 2> width{};  ///< of the tubes; none: the chord was judged by a box, which holds the branch
   };
 
   Chord judge(const Sample& x, const Sample& y, double from, double to, int sheet) const {
     double error = 0, length = 0;
+    std::array<double, 2> width{};
     for (std::size_t k = 0; k < tracks_; ++k) length = std::max(length, (y.track[k].at - x.track[k].at).squaredNorm());
     length = std::sqrt(length);
     if (length > options_.longest) return {0, parts_for(length / options_.longest)};
     for (std::size_t k = 0; k < tracks_; ++k) {
       const TubePoint &a = x.track[k], &b = y.track[k];
       const auto n = chart_.normal(a.at, b.at);
-      const auto radius = n ? tube_radius(form(k), a, b, *n) : std::nullopt;
-      if (!radius) return length < options_.tolerance ? judge_by_box(x, y, from, to, sheet) : Chord();
-      if (over_chord(a, b, *n, *radius, elsewhere(x, y).track[k].at)) return {};
-      error = std::max(error, chart_.error(*radius, a.at, b.at));
+      const auto proved = n ? tube(form(k), a, b, *n) : std::nullopt;
+      if (!proved) return length < options_.tolerance ? judge_by_box(x, y, from, to, sheet) : Chord();
+      if (over_chord(a, b, *n, proved->radius, elsewhere(x, y).track[k].at)) return {};
+      error = std::max(error, chart_.error(proved->radius, a.at, b.at));
+      width[k] = proved->width;
     }
-    return {error, error <= options_.tolerance ? 1 : parts_for(std::sqrt(error / options_.tolerance))};
+    if (error <= options_.tolerance) return {error, 1, width};
+    return {error, parts_for(std::sqrt(error / options_.tolerance)), width};
   }
   /// A sample that is not between x and y, nor one of them.
   const Sample& elsewhere(const Sample& x, const Sample& y) const {
@@ -205,14 +217,19 @@ class Tracer {
     };
     return references_[is_first(x) || is_first(y) ? 1 : 0];
   }
-  static int parts_for(double ratio) { return std::clamp(static_cast<int>(std::ceil(1.05 * ratio)), 2, 8); }
+  static int parts_for(double ratio) {
+    return std::clamp(static_cast<int>(std::ceil(std::min(1.05 * ratio, 8.0))), 2, 8);
+  }
 
   Chord judge_by_box(const Sample& x, const Sample& y, double from, double to, int sheet) const {
     const std::array<Box, 2> box = boxes(from, to, sheet);
     double error = 0;
-    for (std::size_t k = 0; k < tracks_; ++k)
-      error = std::max(error, chart_.extent(box[k], x.track[k].at, y.track[k].at));
-    return {error, error <= options_.tolerance ? 1 : 2};
+    for (std::size_t k = 0; k < tracks_; ++k) {
+      const double extent = chart_.extent(box[k], x.track[k].at, y.track[k].at);
+      if (!(extent <= options_.tolerance)) return {};  // also where it is not a number
+      error = std::max(error, extent);
+    }
+    return {error, 1};
   }
 
   std::array<Box, 2> boxes(double from, double to, int sheet) const {
@@ -230,21 +247,42 @@ class Tracer {
     return chart_.outside(box[0]) || (tracks_ == 2 && chart_.outside(box[1]));
   }
 
-  const Sample& accept(const Sample& x, const Sample& y, double error) {
+  const Sample& accept(const Sample& x, const Sample& y, const Chord& chord, double from, int sheet) {
     if (!connected_) {
       pieces_.emplace_back();
       pieces_.back().component = branch_->component;
       append(x);
+      on_branch_ = false;
     }
     connected_ = true;
+    on_branch_ = on_branch_ || is_on_branch(x, chord, from, sheet);
     append(y);
-    pieces_.back().max_error = std::max(pieces_.back().max_error, error);
+    pieces_.back().max_error = std::max(pieces_.back().max_error, chord.error);
     return y;
   }
+
+  /// The chords of a piece follow one part of the curve. It is this branch if one point of it is proved to be: if the box
+  /// that holds the branch at x lies in the tube of the chord.
+  bool is_on_branch(const Sample& x, const Chord& chord, double from, int sheet) const {
+    if (chord.width[0] == 0) return true;  // judged by a box
+    const std::array<Box, 2> box = boxes(from, from, sheet);
+    for (std::size_t k = 0; k < tracks_; ++k)
+      if (!(chart_.extent(box[k], x.track[k].at, x.track[k].at) <= chord.width[k])) return false;
+    return true;
+  }
+
   const Sample& interrupt(const Sample& y) {
+    end_piece();
     connected_ = unbroken_ = false;
     return y;
   }
+  /// A piece that could not be proved to be of this branch is not shown.
+  void end_piece() {
+    if (!connected_ || on_branch_) return;
+    pieces_.pop_back();
+    connected_ = unbroken_ = false;
+  }
+
   void append(const Sample& x) {
     pieces_.back().points.push_back(x.track[0].at);
     if (tracks_ == 2) pieces_.back().partners.push_back(x.track[1].at);
@@ -287,13 +325,15 @@ class Tracer {
   const CubicBranch* branch_ = nullptr;
   std::array<Sample, 2> references_;
   std::vector<CurvePiece> pieces_;
-  bool unbroken_ = true, connected_ = false;
+  bool unbroken_ = true, connected_ = false, on_branch_ = false;
   int samples_ = 0;
 };
 
 template <class Chart>
 std::vector<CurvePiece> trace(const Chart& chart, const CubicBranches& traced, const TubeCurve& curve,
                               const std::optional<PartnerCurve>& partner, const TraceOptions& options) {
+  if (!(options.tolerance > 0) || !(options.longest > 0) || !(options.window > 0))
+    throw std::invalid_argument("tracing a curve: tolerance, longest chord and window must be positive");
   Tracer<Chart> tracer(chart, curve, partner, options);
   std::vector<CurvePiece> out;
   for (const CubicBranch& branch : traced.branches)

@@ -37,7 +37,8 @@ TubeCurve tube_curve(const Cubic<Interval>& f);
 PartnerCurve partner_curve(const std::array<Correlation<Interval>, 3>& n);
 
 /// All branches within the window, components numbered as in `traced`. `curve` is the form whose branches they are.
-/// A piece ends where it leaves the window; no point is more than 2 % outside. Below an UpwardRounding.
+/// A piece ends where it leaves the window; no point is more than 2 % outside. Below an UpwardRounding. Throws
+/// std::invalid_argument for options that are not positive.
 std::vector<CurvePiece> trace_in_plane(const CubicBranches& traced, const TubeCurve& curve,
                                        const std::optional<PartnerCurve>& partner, const TraceOptions& options);
 

@@ -38,7 +38,8 @@ class TubeCurve {
   const Cubic<double>& form() const { return f_; }
   /// |gradient(p)| <= bound |p|^2
   double bound() const { return bound_; }
-  /// |gradient(p) computed - true| <= error |p|^2, and so is |F(p) computed - true| <= error |p|^3
+  /// |gradient(p) computed - true| <= error |p|^2, and so is |F(p) computed - true| <= error |p|^3: six roundings on the
+  /// way to each term of a sum, 2 u each if the processor rounds upward, and those of the dot product with p.
   double error() const { return error_; }
 
  private:
@@ -68,9 +69,17 @@ struct TubePoint {
   }
 };
 
-/// The distance f / g between chord and curve along n; nothing where the test fails. n: unit to a few unit roundoffs.
-inline std::optional<double> tube_radius(const TubeCurve& curve, const TubePoint& x, const TubePoint& y,
-                                         const Vector<double, 3>& n) {
+/// A chord that the curve is proved to follow.
+struct Tube {
+  double radius;  ///< f / g: the distance between chord and curve along n is at most this
+  double width;   ///< r: on the patch there is no other part of the curve
+};
+
+/// Nothing where the test fails. n: unit to a few unit roundoffs.
+inline std::optional<Tube> tube(const TubeCurve& curve, const TubePoint& x, const TubePoint& y,
+                                const Vector<double, 3>& n) {
+  constexpr double tilt =
+      1.25;  // on the sphere the patches of neighbours are tilted against each other, less than this
   constexpr double safe = 1 + 0x1p-40;  // covers the roundings of this function, all of them of sums of a few terms
   const Vector<double, 3> d = (y.at - x.at) / 2;
   const double reach = std::max(x.size, y.size) * safe, half = d.norm() * safe;
@@ -85,7 +94,7 @@ inline std::optional<double> tube_radius(const TubeCurve& curve, const TubePoint
   const double least = std::min(std::abs(gx), std::abs(gy)) - 2 * error;
 
   // The least possible r is f / g without the parts that depend on r; twice that leaves room for them.
-  const double r = 2 * (ends + alpha + 0.385 * beta) / least;
+  const double r = 2 * (ends + alpha + 0.385 * beta) / least + 0x1p-30 * half;
   if (!(r < half) || !(least > 0)) return std::nullopt;
   const double beyond = r / half * safe, t = 1 + beyond, over = std::max(1.0, t * t - 1);
   const double wide = reach + r + beyond * half;
@@ -95,15 +104,16 @@ inline std::optional<double> tube_radius(const TubeCurve& curve, const TubePoint
   const double f =
       (ends + beyond * (std::abs(delta) + error * reach) + over * alpha + std::max(0.385, t * (t * t - 1)) * beta) *
       safe;
-  if (!(g > 0) || !(f <= g * r)) return std::nullopt;
-  return f / g * safe;
+  if (!(g > 0) || !(tilt * f <= g * r)) return std::nullopt;
+  return Tube{f / g * safe, r};
 }
 
 /// Whether z, or -z, lies over the chord and within the radius of it, up to roundings of the order of 1e-9.
 inline bool over_chord(const TubePoint& x, const TubePoint& y, const Vector<double, 3>& n, double radius,
                        const Point2<double>& z) {
   // z is lambda (m + t d + s n) times the volume m . (d x n)
-  const Vector<double, 3> sum = x.at + y.at, difference = y.at - x.at, across = difference.cross(n), along = n.cross(sum);
+  const Vector<double, 3> sum = x.at + y.at, difference = y.at - x.at, across = difference.cross(n),
+                          along = n.cross(sum);
   const double lambda = z.dot(across), t = z.dot(along), slack = 0x1p-30;
   if (t * t > (1 + slack) * lambda * lambda + slack * slack * z.squaredNorm() * across.squaredNorm()) return false;
   const double s = z.dot(sum.cross(difference)) / 2;

@@ -8,7 +8,7 @@ namespace burmester {
 namespace {
 
 /// Above the rounding errors of the pencil determinants of conics of size 1: sums up to 96 with 8 roundings
-/// on the way. to 8.
+/// on the way.
 constexpr double rounding = 1024 * unit_roundoff;
 
 Conic<double> scaled(Conic<double> c) {

@@ -48,7 +48,9 @@ std::vector<Interval> enclosed(const IntegerPolynomial& p) {
 std::optional<Range> affine(const ProjectiveBox& box) {
   if (!box.reciprocal) return box.at;
   if (contains_zero(Interval(box.at.low, box.at.high))) return std::nullopt;
-  return range_of(1 / Interval(box.at.low, box.at.high));
+  const Range range = range_of(1 / Interval(box.at.low, box.at.high));
+  if (!std::isfinite(range.low) || !std::isfinite(range.high)) return std::nullopt;
+  return range;
 }
 
 /// Disjoint boxes for all real roots, ascending, if they are finite and proved simple.

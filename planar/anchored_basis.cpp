@@ -31,16 +31,16 @@ AnchorChoice choose_anchor(FivePoses poses) {
     for (int j = i + 1; j < 5; ++j, ++k) {
       const double apart = distance2[k] * per_length2 + turn2[k] * per_turn2;
       if (apart < closest) closest = apart, out.anchor.reference = i;
-      if (distance2[k] == 0 && turn2[k] <= 4 * same_turn2 &&
-          same_orientation(poses[i], poses[j]))
-        out.equal_poses = true;
+      const bool one_place = poses[i].x == poses[j].x && poses[i].y == poses[j].y;  // squares may underflow
+      if (one_place && turn2[k] <= 4 * same_turn2 && same_orientation(poses[i], poses[j])) out.equal_poses = true;
     }
   double farthest = 0;
   for (const Pose& p : poses) farthest = std::max({farthest, std::abs(p.x), std::abs(p.y)});
   const double per_turn = out.anchor.turn > 0 ? 1 / out.anchor.turn : 0;
   if (closest > 0)
     out.noise = unit_roundoff * std::max({1.0, farthest / out.anchor.length, per_turn}) / std::sqrt(std::min(1.0, closest));
-  if (out.noise > largest_noise) out.noise = unit_roundoff, out.indistinct = true;
+  const bool drowned = closest == 0 && !out.equal_poses;
+  if (drowned || out.noise > largest_noise) out.noise = unit_roundoff, out.indistinct = true;
   return out;
 }
 

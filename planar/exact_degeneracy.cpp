@@ -43,11 +43,14 @@ bool concyclic(FivePoses poses, const OrientationClass& among) {
 
 /// Every two poses that the verdict calls equal are.
 bool equal_exactly(FivePoses poses) {
+  bool some = false;
   for (int i = 0; i < 5; ++i)
-    for (int j = 0; j < i; ++j)
-      if (step(poses[i], poses[j]).isZero(0) && same_orientation(poses[i], poses[j]) && !parallel(poses[i], poses[j]))
-        return false;
-  return true;
+    for (int j = 0; j < i; ++j) {
+      if (!step(poses[i], poses[j]).isZero(0) || !same_orientation(poses[i], poses[j])) continue;
+      if (!parallel(poses[i], poses[j])) return false;
+      some = true;
+    }
+  return some;
 }
 
 bool in_line_exactly(FivePoses poses) {

@@ -5,7 +5,7 @@
 #include "burmester/geometry/conic_count.hpp"
 #include "burmester/geometry/interval.hpp"
 #include "burmester/geometry/null_space.hpp"
-#include "burmester/geometry/rational_interval.hpp"
+#include "burmester/geometry/enclosure.hpp"
 #include "burmester/planar/exact_degeneracy.hpp"
 #include "burmester/planar/five_pose_enclosure.hpp"
 #include "burmester/planar/five_pose_oracle.hpp"
@@ -21,11 +21,6 @@ std::optional<int> count_over(FivePoses poses, const Anchor& anchor) {
   if (anchor.turn == 0 || !(null.smallest_pivot() > 0)) return std::nullopt;
   const std::array<Conic<T>, 2> conics = relation_conics(null.basis, T(anchor.turn));
   return count_common_points(conics[0], conics[1]);
-}
-
-Interval enclosing(const Rational& x) {
-  const RationalInterval point(x);
-  return {lower(point), upper(point)};
 }
 
 /// Krawczyk's test around doubles.
@@ -70,7 +65,7 @@ struct AroundQuads {
     for (int i = 0; i < N; ++i) z[i] = rational(start[i]);
     const Vector<Rational, N> f = system(exact_rows, Rational(turn)).value(z);
     Vector<Interval, N> centre, value;
-    for (int i = 0; i < N; ++i) centre[i] = enclosing(z[i]), value[i] = enclosing(f[i]);
+    for (int i = 0; i < N; ++i) centre[i] = enclosure(z[i]), value[i] = enclosure(f[i]);
     const auto radius = krawczyk_radius<Interval>(system(rows, Interval(turn)), centre, value);
     if (!radius) return std::nullopt;
     Vector<RationalInterval, N> x;
@@ -157,7 +152,7 @@ void list_isolated(FivePoses poses, const ExactDegeneracy& proof, CertifiedRoots
   out.roots.count = static_cast<int>(proof.isolated.size());
   for (std::size_t i = 0; i < proof.isolated.size(); ++i) {
     Anchored<Interval> w;
-    for (int k = 0; k < 7; ++k) w[k] = enclosing(proof.isolated[i][k]);
+    for (int k = 0; k < 7; ++k) w[k] = enclosure(proof.isolated[i][k]);
     out.roots.w[i] = approximation(proof.isolated[i]);
     const UpwardRounding upward;
     out.boxes[i] = detail::any_dyad(w, anchor, poses[static_cast<std::size_t>(anchor.reference)]).dyad;

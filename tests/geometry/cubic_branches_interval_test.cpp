@@ -179,3 +179,19 @@ TEST(CubicBranches, ASingularBasePointIsRefusedWithAReason) {
   EXPECT_FALSE(node.topology.reason.empty());
   EXPECT_TRUE(node.branches.empty());
 }
+
+TEST(CubicBranches, TheUnitOfTheCoefficientsDoesNotMatter) {
+  for (const CorpusCurve& c : corpus_cubics()) {
+    if (!c.on_curve) continue;
+    for (const int exponent : {-1500, 1500}) {
+      const Integer power = Integer(1) << 1500;
+      const Rational factor = exponent > 0 ? Rational(power) : Rational(Rational(1) / Rational(power));
+      Cubic<Rational> f = cubic_of<Rational>(c.curve);
+      for (Rational& x : f.c) x *= factor;
+      const Point2<Rational> p = cast<Rational>(*c.on_curve) * factor;
+      const CurveTopology t = branches_by_rationals(f, p).topology;
+      expect_topology(t, c);
+      for (const PointAtInfinity& at : t.at_infinity) EXPECT_TRUE(at.tangent.allFinite()) << c.name;
+    }
+  }
+}

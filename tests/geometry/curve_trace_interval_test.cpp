@@ -6,9 +6,11 @@
 #include <cfenv>
 #include <cmath>
 #include <map>
+#include <stdexcept>
 #include <thread>
 
 #include "burmester/geometry/random.hpp"
+#include "burmester/geometry/rational_interval.hpp"
 #include "cubics.hpp"
 #include "curve_corpus.hpp"
 #include "positions.hpp"
@@ -245,10 +247,10 @@ TEST(CurveTrace, TheTubeOfAChordOfACircleIsItsSagitta) {
   const TubeCurve circle(f);
   for (const double angle : {0.001, 0.01, 0.1, 0.3}) {
     const Point x(1, 0, 1), y(std::cos(angle), std::sin(angle), 1), n(std::cos(angle / 2), std::sin(angle / 2), 0);
-    const auto radius = tube_radius(circle, TubePoint(x, circle), TubePoint(y, circle), n);
+    const auto radius = tube(circle, TubePoint(x, circle), TubePoint(y, circle), n);
     ASSERT_TRUE(radius) << angle;
-    EXPECT_GE(*radius, 1 - std::cos(angle / 2));
-    EXPECT_LE(*radius, 1.5 * (1 - std::cos(angle / 2)) + 1e-14) << angle;
+    EXPECT_GE(radius->radius, 1 - std::cos(angle / 2));
+    EXPECT_LE(radius->radius, 1.5 * (1 - std::cos(angle / 2)) + 1e-14) << angle;
   }
 }
 
@@ -256,10 +258,10 @@ TEST(CurveTrace, TheTubeTestRefusesChordsAcrossANodeAndBetweenBranches) {
   const TubeCurve node(cubic_of<double>(weierstrass(1, 0, 0)));  // y^2 = x^2 (x + 1), slopes 1 and -1 at the node
   const auto point = [&](double x, double sign) { return TubePoint({x, sign * x * std::sqrt(x + 1), 1}, node); };
   const Vector<double, 3> along(-std::sqrt(0.5), std::sqrt(0.5), 0), across(0, 1, 0);
-  EXPECT_FALSE(tube_radius(node, point(-0.01, 1), point(0.01, 1), along));
-  EXPECT_FALSE(tube_radius(node, point(0.1, 1), point(0.1, -1), Vector<double, 3>(1, 0, 0)));
-  EXPECT_FALSE(tube_radius(node, point(0.1, 1), point(0.11, -1), across));
-  EXPECT_TRUE(tube_radius(node, point(0.1, 1), point(0.11, 1), along));
+  EXPECT_FALSE(tube(node, point(-0.01, 1), point(0.01, 1), along));
+  EXPECT_FALSE(tube(node, point(0.1, 1), point(0.1, -1), Vector<double, 3>(1, 0, 0)));
+  EXPECT_FALSE(tube(node, point(0.1, 1), point(0.11, -1), across));
+  EXPECT_TRUE(tube(node, point(0.1, 1), point(0.11, 1), along));
 }
 
 TEST(CurveTrace, ErrorsOfTheCoefficientsCount) {
@@ -267,11 +269,11 @@ TEST(CurveTrace, ErrorsOfTheCoefficientsCount) {
   f.c[2] = 1, f.c[7] = 1, f.c[9] = -1;
   const TubeCurve exact(f), vague(f, 1e-6), hopeless(f, 0.5);
   const Point x(1, 0, 1), y(std::cos(0.01), std::sin(0.01), 1), n(std::cos(0.005), std::sin(0.005), 0);
-  const auto sharp = tube_radius(exact, TubePoint(x, exact), TubePoint(y, exact), n),
-             wide = tube_radius(vague, TubePoint(x, vague), TubePoint(y, vague), n);
+  const auto sharp = tube(exact, TubePoint(x, exact), TubePoint(y, exact), n),
+             wide = tube(vague, TubePoint(x, vague), TubePoint(y, vague), n);
   ASSERT_TRUE(sharp && wide);
-  EXPECT_GT(*wide, *sharp + 1e-6);  // a circle of radius 1 +- 1e-6 or so
-  EXPECT_FALSE(tube_radius(hopeless, TubePoint(x, hopeless), TubePoint(y, hopeless), n));
+  EXPECT_GT(wide->radius, sharp->radius + 1e-6);  // a circle of radius 1 +- 1e-6 or so
+  EXPECT_FALSE(tube(hopeless, TubePoint(x, hopeless), TubePoint(y, hopeless), n));
 }
 
 TEST(CurveTrace, TwoThreadsTraceAlikeAndTheRoundingModeIsRestored) {
@@ -290,4 +292,32 @@ TEST(CurveTrace, TwoThreadsTraceAlikeAndTheRoundingModeIsRestored) {
   EXPECT_EQ(std::fegetround(), FE_TONEAREST);
   ASSERT_EQ(one.size(), two.size());
   for (std::size_t k = 0; k < one.size(); ++k) EXPECT_EQ(one[k].points, two[k].points);
+}
+
+TEST(CurveTrace, ABranchWhoseTurningPointsAgreeInDoublesIsCountedButNotShown) {
+  // (y - 3/7 (x + z))^2 z = (x + z)(x^2 + 2^-200 z^2): from (-1 : 0 : 1) the two turning lines differ by 2^-99.
+  const Rational seventh = Rational(3) / 7, tiny = Rational(1) / Rational(Integer(1) << 200), zero(0), one(1);
+  const LinearForm<Rational> x(one, zero, zero), z(zero, zero, one), sum(one, zero, one),
+      l(Rational(-seventh), one, Rational(-seventh));
+  Cubic<Rational> f;
+  f.add_product(l, l, z, one);
+  f.add_product(sum, x, x, Rational(-1));
+  f.add_product(sum, z, z, Rational(-tiny));
+  const CubicBranches branches = branches_by_rationals(f, {Rational(-1), zero, one});
+  EXPECT_EQ(branches.topology.components, 1);
+  const UpwardRounding upward;
+  Cubic<Interval> rounded;
+  for (std::size_t k = 0; k < 10; ++k)
+    rounded.c[k] = Interval(lower(RationalInterval(f.c[k])), upper(RationalInterval(f.c[k])));
+  EXPECT_TRUE(trace_in_plane(branches, tube_curve(rounded), std::nullopt, {1e-3, 0.5, 4}).empty());
+}
+
+TEST(CurveTrace, OptionsMustBePositive) {
+  const PlaneCurve f = weierstrass(0, -1, 0);
+  const CubicBranches branches = branches_by_rationals(cubic_of<Rational>(f), cast<Rational>(Point(0, 1, 0)));
+  const UpwardRounding upward;
+  const TubeCurve curve = tube_curve(cubic_of<Interval>(f));
+  EXPECT_THROW(trace_in_plane(branches, curve, std::nullopt, {0, 0.5, 4}), std::invalid_argument);
+  EXPECT_THROW(trace_in_plane(branches, curve, std::nullopt, {1e-3, 0, 4}), std::invalid_argument);
+  EXPECT_THROW(trace_in_plane(branches, curve, std::nullopt, {1e-3, 0.5, std::nan("")}), std::invalid_argument);
 }

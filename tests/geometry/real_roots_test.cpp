@@ -336,5 +336,12 @@ TEST(RealRoot, SignsOfOtherPolynomials) {
   EXPECT_EQ(sign_at(P({Rational(-3)}), root), -1);
 }
 
+TEST(RealRoots, ARootBeyondTheDoublesKeepsItsExactBox) {
+  std::vector<RealRoot> roots = real_roots(std::vector<double>{1, 5e-324});  // -2^1074
+  ASSERT_EQ(roots.size(), 1u);
+  EXPECT_EQ(sign_at(Polynomial<Rational>({Rational(Integer(1) << 1074), Rational(1)}), roots[0]), 0);
+  EXPECT_EQ(sign_at(Polynomial<Rational>({Rational(1)}), roots[0]), 1);
+}
+
 }  // namespace
 }  // namespace burmester
