@@ -58,6 +58,14 @@ struct Principal {
   }
 };
 
+/// The same conic with coefficients of order 1: no product of them over- or underflows.
+C near_one(C c) {
+  const double size = size_of(c);
+  if (size > 0 && std::isfinite(size))
+    for (double& q : c.q) q /= size;
+  return c;
+}
+
 }  // namespace
 
 ConicClass classify(const Conic<double>& conic) { return classify_exactly(conic); }
@@ -93,14 +101,16 @@ std::string_view name_of(const ConicClass& c) {
   return {};
 }
 
-Vector2 centre_of(const C& c) {
+Vector2 centre_of(const C& given) {
+  const C c = near_one(given);
   const auto& q = c.q;
   return Vector2(difference_of_products(q[3], q[5], 2 * q[1], q[4]),
                  difference_of_products(q[4], q[5], 2 * q[0], q[3])) /
          discriminant(c);
 }
 
-ConicAxes axes_of(const C& c) {
+ConicAxes axes_of(const C& given) {
+  const C c = near_one(given);
   const Principal p(c);
   const Vector2 centre = centre_of(c);
   const double there = c.q[2] + (c.q[4] * centre[0] + c.q[3] * centre[1]) / 2;
@@ -119,7 +129,8 @@ std::array<Vector2, 2> asymptote_directions(const C& c) {
           Vector2(u * p.axis[0] - v * p.axis[1]).normalized()};
 }
 
-ParabolaFrame parabola_frame(const C& c) {
+ParabolaFrame parabola_frame(const C& given) {
+  const C c = near_one(given);
   const bool steep = std::abs(c.q[0]) > std::abs(c.q[1]);
   Vector2 axis = Vector2(steep ? c.q[5] : 2 * c.q[1], steep ? -2 * c.q[0] : -c.q[5]).normalized();
   const double trace = c.q[0] + c.q[1];

@@ -28,7 +28,7 @@ struct SingularPoint {
 
 struct PointAtInfinity {
   Point2<double> at;           ///< third coordinate 0
-  LinearForm<double> tangent;  ///< the asymptote, largest entry 1 or -1; zero where the point is singular
+  LinearForm<double> tangent;  ///< the asymptote, largest entry 1 or -1; zero where the form is singular (a repeated line, too)
 };
 
 struct CurveTopology {

@@ -152,6 +152,11 @@ void RealRoot::refine(const Rational& width) {
   narrow([&](const DyadicInterval& x) { return Rational(x.width, Integer(1) << x.scale) <= width; });
 }
 
+void RealRoot::refine(double width) {
+  if (!std::isfinite(width)) throw std::invalid_argument("a root is refined to a positive, finite width");
+  refine(Rational(width));
+}
+
 template <class Done>
 void RealRoot::narrow(Done done) {
   if (!is_point() && !done(*box_)) {

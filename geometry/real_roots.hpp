@@ -45,9 +45,9 @@ class RealRoot {
   RationalInterval bounds() const;
   /// Whether the root is known to be a rational number, both ends of the box.
   bool is_point() const;
-  /// Narrows the box to this width at most, absolute. Throws std::invalid_argument unless width > 0.
+  /// Narrows the box to this width at most, absolute. Throws std::invalid_argument unless width > 0 and finite.
   void refine(const Rational& width);
-  void refine(double width) { refine(Rational(width)); }
+  void refine(double width);
 
  private:
   friend int sign_at(const Polynomial<Rational>& p, RealRoot& root);

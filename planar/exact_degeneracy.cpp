@@ -177,10 +177,27 @@ Outcome one_conic(const Plane& p, bool empty) {
   return proved_if(empty == (definite && form.rank == 3));
 }
 
+/// Exact, however small the entries: the pivots that NullSpace reports are doubles and may be rounded to 0.
+int rank_of(Matrix<Rational, 4, 7> m) {
+  int rank = 0;
+  for (int c = 0; c < 7 && rank < 4; ++c) {
+    int row = rank;
+    while (row < 4 && m(row, c) == 0) ++row;
+    if (row == 4) continue;
+    m.row(row).swap(m.row(rank));
+    for (int r = rank + 1; r < 4; ++r) {
+      const Rational factor = m(r, c) / m(rank, c);
+      for (int k = c; k < 7; ++k) m(r, k) -= factor * m(rank, k);
+    }
+    ++rank;
+  }
+  return rank;
+}
+
 Outcome degenerate_pencil(FivePoseCase what, FivePoses poses, const Anchor& anchor) {
   const Matrix<Rational, 4, 7> rows = anchored_rows<Rational>(poses, anchor);
   const NullSpace<Rational, 4, 7> null = null_space(rows);
-  if (what == FivePoseCase::rank_deficient) return proved_if(!(null.smallest_pivot() > 0));
+  if (what == FivePoseCase::rank_deficient) return proved_if(rank_of(rows) < 4);
   if (!(null.smallest_pivot() > 0)) return std::nullopt;
   const auto conics = relation_conics(null.basis, Rational(anchor.turn));
   const Plane plane{null.basis, conics[0], conics[1]};

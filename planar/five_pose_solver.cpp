@@ -70,6 +70,7 @@ void state_merging(const auto& roots, FivePoses poses, PlanarReport& report) {
   report.counts.merge_distance = merging->distance;
   if (merging->distance < coinciding) {
     report.warnings.push_back("two dyads coincide");
+    report.message += "; not proved, because two dyads coincide";
     return;
   }
   const std::string by = fmt::format("if the poses changed by {:.0e}", merging->distance);

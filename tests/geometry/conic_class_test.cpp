@@ -301,5 +301,14 @@ TEST(Parametrisation, ThroughARealPointLiesOnTheConic) {
   EXPECT_GT(conics, 500);
 }
 
+TEST(ConicClass, TheUnitOfTheCoefficientsDoesNotMatter) {
+  for (const double s : {1e300, 1.0, 1e-300}) {
+    const ConicAxes circle = axes_of(Conic<double>({s, s, -s, 0, 2 * s, 0}));  // (x + 1)^2 + y^2 = 2
+    EXPECT_NEAR(circle.centre[0], -1, 1e-15);
+    EXPECT_NEAR(circle.square[0], 2, 1e-14);
+    EXPECT_NEAR(parabola_frame(Conic<double>({s, 0, 0, -2 * s, 0, 0})).parameter, 1, 1e-15);  // x^2 = 2 y
+  }
+}
+
 }  // namespace
 }  // namespace burmester

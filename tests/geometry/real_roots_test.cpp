@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -334,6 +335,13 @@ TEST(RealRoot, SignsOfOtherPolynomials) {
   RealRoot root = real_roots(P({Rational(-2), Rational(0), Rational(1)})).at(1);
   EXPECT_EQ(sign_at(P(), root), 0);
   EXPECT_EQ(sign_at(P({Rational(-3)}), root), -1);
+}
+
+TEST(RealRoots, AnEndlessWidthIsRefused) {
+  RealRoot root = real_roots(std::vector<double>{-2, 0, 1}).at(1);
+  EXPECT_THROW(root.refine(std::numeric_limits<double>::infinity()), std::invalid_argument);
+  EXPECT_THROW(root.refine(std::nan("")), std::invalid_argument);
+  EXPECT_THROW(root.refine(0.0), std::invalid_argument);
 }
 
 TEST(RealRoots, ARootBeyondTheDoublesKeepsItsExactBox) {

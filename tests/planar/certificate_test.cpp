@@ -165,5 +165,43 @@ TEST(Certificate, NoCertificateUnlessAskedFor) {
   for (const auto& found : bare.dyads) EXPECT_FALSE(found.certificate.certified);
 }
 
+FivePoseTask degrees(const std::array<std::array<double, 3>, 5>& rows) {
+  FivePoseTask out;
+  for (std::size_t j = 0; j < 5; ++j) out[j] = pose_from_degrees(rows[j][0], rows[j][1], rows[j][2]);
+  return out;
+}
+
+TEST(Certificate, HoldsWhereBothConicsAreSingular) {
+  for (const auto& [task, real] : {std::pair(degrees({{{0, -2, 180}, {-1, 0, -90}, {-3, -2, 180}, {0, -2, 0}, {-3, -1, 90}}}), 4),
+                                   std::pair(degrees({{{-2, 1, -90}, {-2, 0, 180}, {1, -2, 90}, {-3, 0, -90}, {2, -1, 90}}}), 4),
+                                   std::pair(degrees({{{0, 2, 90}, {2, 2, 180}, {2, -3, -90}, {2, 2, 90}, {2, 3, -90}}}), -1)}) {
+    Random coordinates("Certificate.HoldsWhereBothConicsAreSingular");
+    const int truth = static_cast<int>(exact::count_solutions(task, coordinates).real.distinct);
+    const PlanarReport report = FivePoseSolver().solve(task);
+    EXPECT_TRUE(report.counts.certified) << report.message;
+    EXPECT_EQ(static_cast<int>(report.dyads.size()), truth) << report.message;
+    EXPECT_TRUE(real < 0 || truth == real);
+  }
+}
+
+TEST(Certificate, ATinyDifferenceIsNoDegeneracy) {
+  for (const double angle : {100.0, 30.0, 10.0, 77.0}) {
+    const FivePoseTask task =
+        degrees({{{0, .8, angle}, {-.8, .25, 0}, {-.9, -.9, 0}, {0, 1, -60}, {5e-324, .8, angle}}});
+    const PlanarReport report = FivePoseSolver().solve(task);  // the doubles have finitely many dyads
+    EXPECT_FALSE(report.status == Status::degenerate && report.counts.certified) << report.message;
+  }
+}
+
+TEST(Certificate, CoincidingDyadsAreNamedInTheMessage) {
+  // 3 + 2 orientations with |t| = 2 R; a double dyad of regular poses
+  for (const FivePoseTask& task : {degrees({{{5, 0, 0}, {-5, 0, 0}, {3, 4, 0}, {1, 1, 90}, {7, 9, 90}}}),
+                                   degrees({{{-3, -1, -90}, {2, -2, 90}, {-2, 0, 180}, {-3, -3, 90}, {3, 1, 180}}})}) {
+    const PlanarReport report = FivePoseSolver().solve(task);
+    EXPECT_FALSE(report.counts.certified);
+    EXPECT_NE(report.message.find("not proved, because two dyads coincide"), std::string::npos) << report.message;
+  }
+}
+
 }  // namespace
 }  // namespace burmester::planar
