@@ -10,6 +10,7 @@
 #include "burmester/modules/framework/search.hpp"
 #include "burmester/planar/drawing.hpp"
 #include "burmester/planar/five_pose_solver.hpp"
+#include "burmester/planar/four_pose_curves.hpp"
 #include "burmester/planar/linkage.hpp"
 #include "burmester/planar/pose_format.hpp"
 
@@ -26,7 +27,7 @@ ModuleInfo describe() {
   info.name = Space::name;
   info.origin = "built in";
   Dyads::for_each([&]<class D>() { info.dyad_types.push_back(D::name); });
-  info.solvers = describe_solvers<FivePoseSolver>();
+  info.solvers = describe_solvers<FourPoseSolver, FivePoseSolver>();
   info.csv_headers = {{"x", "y", "angle_deg"}, {"x", "y", "angle_rad"}};
   info.point_size = 2;
   return info;
@@ -74,11 +75,14 @@ PlanarReport solve(const Problem& problem, std::span<const Pose> poses) {
     report.counts.dimension = 0;
   } else if (poses.size() == 5) {
     report = FivePoseSolver{.certify = problem.certify}.solve(poses);
+  } else if (poses.size() == 4) {
+    if (!problem.near.empty()) throw NotAvailable("dyads near given points of the curve of four poses");
+    report = FourPoseSolver().solve(poses);
   } else {
-    throw NotAvailable(fmt::format("planar synthesis for {} poses (this version solves five)", poses.size()));
+    throw NotAvailable(fmt::format("planar synthesis for {} poses (this version solves four and five)", poses.size()));
   }
   if (!problem.near.empty()) report.warnings.push_back("near: only four poses leave a choice; ignored");
-  if (!problem.weights.empty()) report.warnings.push_back("weights: five poses are met exactly; ignored");
+  if (!problem.weights.empty()) report.warnings.push_back("weights: up to five poses are met exactly; ignored");
   add_searched(problem, poses, report);
   sort_dyads(report);
   return report;
@@ -104,7 +108,7 @@ class PlanarModule final : public Module {
     const std::vector<Pose> poses = poses_of(problem);
     const PlanarReport report = solve(problem, poses);
     return {report.status,       report.message, report.counts, records_of(report),
-            linkages_of(report.dyads, planar::task_size(poses)), report.warnings};
+            linkages_of(report.dyads, planar::task_size(poses)), report.warnings, report.curves};
   }
   Drawing draw(const Problem& problem, const Synthesis& answer) const override {
     return draw_synthesis(problem, answer);

@@ -47,6 +47,14 @@ struct LinkageRecord {
   std::optional<double> offset, coupler_offset;  ///< of a pivot from a guide on the same link; the second: PRPR's other
 };
 
+/// A part of a curve of dyads: polylines of paired pivots.
+struct CurveRecord {
+  int component = 0;    ///< pieces of one component share the number, from 0
+  bool closed = false;  ///< a whole closed component; the first point is not repeated
+  double max_error = 0;  ///< distance between the polylines and the true curves, at most
+  std::vector<std::vector<double>> moving, fixed;
+};
+
 enum class Status { exact, approximate, family, none, degenerate };
 
 /// "exact", "approximate", ...
@@ -70,6 +78,7 @@ struct Synthesis {
   std::vector<DyadRecord> dyads;
   std::vector<LinkageRecord> linkages;
   std::vector<std::string> warnings;
+  std::vector<CurveRecord> curves = {};
 };
 
 }  // namespace burmester

@@ -36,6 +36,7 @@ struct Report {
   SolutionCounts counts;
   std::vector<Found<typename List::Design>> dyads;
   std::vector<std::string> warnings;
+  std::vector<CurveRecord> curves;  ///< where the dyads make a curve
 };
 
 template <class A>

@@ -102,6 +102,17 @@ json pose_of(const std::vector<std::pair<std::string, double>>& shown) {
   return out;
 }
 
+json curves_of(const std::vector<CurveRecord>& curves) {
+  json out = json::array();
+  for (const CurveRecord& curve : curves)
+    out.push_back({{"component", curve.component + 1},
+                   {"closed", curve.closed},
+                   {"max_error", curve.max_error},
+                   {"moving", curve.moving},
+                   {"fixed", curve.fixed}});
+  return out;
+}
+
 int rank_of(const DyadRecord& dyad) {
   constexpr std::string_view order[] = {"RR", "PR", "RP", "PP"};
   return static_cast<int>(std::find(std::begin(order), std::end(order), dyad.type) - std::begin(order));
@@ -163,7 +174,7 @@ json result_document(const Module& module, const Problem& problem, const Synthes
   out["solutions"] = counts_of(answer.counts);
   out["dyads"] = json::array();
   for (const DyadRecord& dyad : answer.dyads) out["dyads"].push_back(dyad_of(dyad, units));
-  if (options.curves) out["curves"] = json::array();
+  if (options.curves) out["curves"] = curves_of(answer.curves);
   out["linkages"] = json::array();
   for (const LinkageRecord& linkage : answer.linkages)
     out["linkages"].push_back(linkage_of(linkage, units, arcs));

@@ -38,7 +38,20 @@ DYADS = {
 }
 
 
+FOUR_POSES = "four_positions"
+
+
 class Examples(ProgramTest):
+    def test_four_poses_give_paired_curves(self):
+        document = self.answer(FOUR_POSES)
+        self.assertEqual((document["status"], document["solutions"]["dimension"]), ("family", 1))
+        self.assertEqual([d["type"] for d in document["dyads"]], ["PR", "RP"])
+        self.assertEqual({c["component"] for c in document["curves"]}, {1, 2})
+        for curve in document["curves"]:
+            self.assertEqual(len(curve["moving"]), len(curve["fixed"]))
+            self.assertLess(curve["max_error"], 1e-3)
+        self.assertIn("Curves of pivots:", self.good("synthesize", example(FOUR_POSES)).stdout.decode())
+
     def answer(self, name):
         document = strict_json(self.good("synthesize", example(name), "--json").stdout)
         jsonschema.validate(document, schema("result"))

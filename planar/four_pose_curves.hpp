@@ -1,0 +1,46 @@
+// Four poses: every dyad that meets them, one for each point of the circle-point curve.
+//
+// A point p of the body whose four places lie on a circle is a circle point, the centre c a centre point. Each displacement
+// from pose 1 gives one bilinear equation, |D_j p - c| = |p - c| (geometry/correlations.hpp); three of them leave a cubic
+// for p in E and a cubic for c in S, both circular, paired point by point (L. Burmester, "Lehrbuch der Kinematik", 1888;
+// O. Bottema, B. Roth, "Theoretical Kinematics", 1979, chapter VIII). The poles of the displacements lie on them. Where
+// one runs to infinity the partner is the pivot of a slider: PR at the end of the centre-point curve, RP at that of the
+// circle-point curve. Topology and errors are proved for the doubles given (docs/curves.md).
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "burmester/geometry/curve.hpp"
+#include "burmester/planar/five_pose_solver.hpp"
+
+namespace burmester::planar {
+
+using FourPoses = std::span<const Pose, 4>;
+
+/// In task sizes, or up to twice as much: the unit is the power of two below the task size.
+struct CurveOptions {
+  double tolerance = 1e-4;  ///< largest error of a piece
+  double longest = 0.25;    ///< longest chord
+  double window = 8;        ///< both pivots within this distance of pose 1's origin, along x and y
+};
+
+struct FourPoseCurves {
+  CurveTopology topology;           ///< of the circle-point curve; rung none: the poses are degenerate, `reason` says how
+  std::vector<CurveRecord> pieces;  ///< moving pivots in E, fixed pivots in S
+};
+
+/// Preconditions as for five poses.
+FourPoseCurves four_pose_curves(FourPoses poses, const CurveOptions& options = {});
+
+struct FourPoseSolver {
+  using Pose = planar::Pose;
+  using Dyads = planar::Dyads;
+  static constexpr const char* name = "four poses, curves";
+  static constexpr const char* answers =
+      "circle-point and centre-point curves with proved topology and error; the PR and the RP dyad on them";
+  PlanarReport solve(std::span<const Pose> poses) const;
+};
+
+}  // namespace burmester::planar
