@@ -16,6 +16,7 @@ using namespace burmester::corpus;
 
 namespace {
 
+#ifndef BURMESTER_WITHOUT_GMP
 std::array<int, 3> kinds(const CurveTopology& t) {
   std::array<int, 3> n{};
   for (const SingularPoint& p : t.singular) ++n[static_cast<std::size_t>(p.kind)];
@@ -34,7 +35,6 @@ void expect_same(const CurveTopology& a, const CurveTopology& b, const std::stri
   EXPECT_EQ(a.at_infinity.size(), b.at_infinity.size()) << name;
 }
 
-#ifndef BURMESTER_WITHOUT_GMP
 TEST(CurveTopology, BothRoutesAgreeOnTheCorpus) {
   Random random("CurveTopology.BothRoutesAgreeOnTheCorpus");
   for (const CorpusCurve& original : corpus_cubics())
