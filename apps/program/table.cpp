@@ -139,7 +139,7 @@ std::string curves_text(const std::vector<CurveRecord>& curves) {
   std::size_t points = 0;
   double error = 0;
   for (const CurveRecord& curve : curves) points += curve.moving.size(), error = std::max(error, curve.max_error);
-  return fmt::format("Curves of pivots: {} pieces, {} pairs, within {:.1g} of the true curves (-o DIR draws them, --json "
+  return fmt::format("\nCurves of pivots: {} pieces, {} pairs, within {:.1g} of the true curves (-o DIR draws them, --json "
                      "lists them)\n",
                      curves.size(), points, error);
 }
@@ -160,7 +160,7 @@ std::string answer_text(const Problem& problem, const Synthesis& answer, double 
   if (!problem.name.empty()) out += printable(problem.name, width - 2) + "\n";
   out += fmt::format("{}\n{}\n", task_text(problem), answer.message);
   if (!answer.dyads.empty()) out += "\nDyads\n" + dyad_table(problem, answer, task_size);
-  if (!answer.curves.empty()) out += "\n" + curves_text(answer.curves);
+  if (!answer.curves.empty()) out += curves_text(answer.curves);
   if (!answer.linkages.empty()) out += "\nLinkages\n" + linkage_table(problem, answer, arcs);
   return out;
 }
