@@ -92,7 +92,7 @@ void traced(benchmark::State& state) {
     const Cubic<Interval> f = points_with_partner(n);
     const auto branches = branches_by_intervals(f, vertex(n[0]));
     if (!branches) continue;
-    const auto found = trace_in_plane(*branches, tube_curve(f), partner_curve(n), {1.75e-5, 0.5, 10});
+    const auto found = trace_in_plane(*branches, tube_curve(f), partner_curve(n), {1.75e-5, 0.5, 10}).pieces;
     pieces += found.size();
     for (const CurvePiece& piece : found) points += piece.points.size();
   }

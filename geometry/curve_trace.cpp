@@ -116,7 +116,10 @@ class Tracer {
       : chart_(chart), curve_(curve), partner_(partner), options_(options), tracks_(partner ? 2 : 1) {}
 
   std::vector<CurvePiece> trace(const CubicBranch& branch) {
-    if (branch.passages.empty()) return {};
+    if (branch.passages.empty()) {
+      complete_ = false;
+      return {};
+    }
     branch_ = &branch, pieces_.clear(), unbroken_ = true, connected_ = false, samples_ = 0;
     const Sample first = sample(start_of(branch.passages.front()), branch.passages.front().sheet);
     references_ = {first, sample(0, branch.passages.front().sheet)};  // 0 is an end of chords
@@ -132,6 +135,8 @@ class Tracer {
     close(first, at);
     return std::move(pieces_);
   }
+
+  bool complete() const { return complete_; }
 
  private:
   static double start_of(const CubicBranch::Passage& passage) { return passage.backwards ? 1 : -1; }
@@ -171,13 +176,16 @@ class Tracer {
       if (chord.parts == 1) return accept(x, y, chord, from, sheet);
       parts = chord.parts;
     } else if (!x.valid && !y.valid) {
+      complete_ = false;
       return interrupt(y);
     } else if (x.valid && y.valid && left_out(x, y, from, to, sheet)) {
       return interrupt(y);
     }
     const double step = (to - from) / parts;
-    if (depth == deepest || samples_ > options_.most_samples || from + step == from || to - step == to)
+    if (depth == deepest || samples_ > options_.most_samples || from + step == from || to - step == to) {
+      complete_ = false;
       return interrupt(y);
+    }
     Sample at = x;
     for (int k = 1; k < parts; ++k)
       at = follow(at, sample(from + k * step, sheet), from + (k - 1) * step, from + k * step, sheet, depth + 1);
@@ -280,7 +288,7 @@ class Tracer {
   void end_piece() {
     if (!connected_ || on_branch_) return;
     pieces_.pop_back();
-    connected_ = unbroken_ = false;
+    connected_ = unbroken_ = complete_ = false;
   }
 
   void append(const Sample& x) {
@@ -325,19 +333,20 @@ class Tracer {
   const CubicBranch* branch_ = nullptr;
   std::array<Sample, 2> references_;
   std::vector<CurvePiece> pieces_;
-  bool unbroken_ = true, connected_ = false, on_branch_ = false;
+  bool unbroken_ = true, connected_ = false, on_branch_ = false, complete_ = true;
   int samples_ = 0;
 };
 
 template <class Chart>
-std::vector<CurvePiece> trace(const Chart& chart, const CubicBranches& traced, const TubeCurve& curve,
+TracedCurve trace(const Chart& chart, const CubicBranches& traced, const TubeCurve& curve,
                               const std::optional<PartnerCurve>& partner, const TraceOptions& options) {
   if (!(options.tolerance > 0) || !(options.longest > 0) || !(options.window > 0))
     throw std::invalid_argument("tracing a curve: tolerance, longest chord and window must be positive");
   Tracer<Chart> tracer(chart, curve, partner, options);
-  std::vector<CurvePiece> out;
+  TracedCurve out;
   for (const CubicBranch& branch : traced.branches)
-    for (CurvePiece& piece : tracer.trace(branch)) out.push_back(std::move(piece));
+    for (CurvePiece& piece : tracer.trace(branch)) out.pieces.push_back(std::move(piece));
+  out.complete = tracer.complete();
   return out;
 }
 
@@ -363,12 +372,12 @@ PartnerCurve partner_curve(const std::array<Correlation<Interval>, 3>& n) {
   return {middle, n, tube_curve(points_with_partner(back))};
 }
 
-std::vector<CurvePiece> trace_in_plane(const CubicBranches& traced, const TubeCurve& curve,
+TracedCurve trace_in_plane(const CubicBranches& traced, const TubeCurve& curve,
                                        const std::optional<PartnerCurve>& partner, const TraceOptions& options) {
   return trace(Plane(options.window), traced, curve, partner, options);
 }
 
-std::vector<CurvePiece> trace_on_sphere(const CubicBranches& traced, const TubeCurve& curve,
+TracedCurve trace_on_sphere(const CubicBranches& traced, const TubeCurve& curve,
                                         const std::optional<PartnerCurve>& partner, const TraceOptions& options) {
   return trace(Sphere(), traced, curve, partner, options);
 }

@@ -31,6 +31,11 @@ struct PartnerCurve {
   TubeCurve curve;
 };
 
+struct TracedCurve {
+  std::vector<CurvePiece> pieces;
+  bool complete = true;  ///< not so where a part that may be in the window could not be proved, and is not shown
+};
+
 /// What the tube test needs of a cubic whose coefficients lie in intervals.
 TubeCurve tube_curve(const Cubic<Interval>& f);
 /// Below an UpwardRounding.
@@ -39,12 +44,12 @@ PartnerCurve partner_curve(const std::array<Correlation<Interval>, 3>& n);
 /// All branches within the window, components numbered as in `traced`. `curve` is the form whose branches they are.
 /// A piece ends where it leaves the window; no point is more than 2 % outside. Below an UpwardRounding. Throws
 /// std::invalid_argument for options that are not positive.
-std::vector<CurvePiece> trace_in_plane(const CubicBranches& traced, const TubeCurve& curve,
-                                       const std::optional<PartnerCurve>& partner, const TraceOptions& options);
+TracedCurve trace_in_plane(const CubicBranches& traced, const TubeCurve& curve,
+                           const std::optional<PartnerCurve>& partner, const TraceOptions& options);
 
 /// The cone, met by the unit sphere: each branch once as one closed piece. A branch that a great circle meets an odd
 /// number of times runs through both opposite points of each of its axes. Below an UpwardRounding.
-std::vector<CurvePiece> trace_on_sphere(const CubicBranches& traced, const TubeCurve& curve,
-                                        const std::optional<PartnerCurve>& partner, const TraceOptions& options);
+TracedCurve trace_on_sphere(const CubicBranches& traced, const TubeCurve& curve,
+                            const std::optional<PartnerCurve>& partner, const TraceOptions& options);
 
 }  // namespace burmester

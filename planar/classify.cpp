@@ -2,7 +2,6 @@
 
 #include <optional>
 
-#include "burmester/geometry/line_fit.hpp"
 #include "burmester/geometry/quad.hpp"
 
 namespace burmester::planar {
@@ -15,11 +14,6 @@ struct Slider {
   Line line;
   double departure;
 };
-
-Line line_of(const FittedLine& fit) {
-  const Vector2 normal{-fit.direction[1], fit.direction[0]};
-  return {normal, normal.dot(fit.centre)};
-}
 
 /// The best line through the places of a pivot; place(pose, pivot) with poses seen from the reference pose's origin, so
 /// that a far origin costs nothing.
@@ -66,6 +60,11 @@ FarPivots far_pivots(const Anchored<T>& w, const Anchor& anchor) {
 }
 
 }  // namespace
+
+Line line_of(const FittedLine& fit) {
+  const Vector2 normal{-fit.direction[1], fit.direction[0]};
+  return {normal, normal.dot(fit.centre)};
+}
 
 template <class T>
 Found<Dyads::Design> classify(const Anchored<T>& w, const Anchor& anchor, FivePoses poses, double task_size,

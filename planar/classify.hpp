@@ -6,6 +6,7 @@
 // that hardly moves lie on any line.
 #pragma once
 
+#include "burmester/geometry/line_fit.hpp"
 #include "burmester/modules/framework/report.hpp"
 #include "burmester/planar/anchored_basis.hpp"
 #include "burmester/planar/dyads.hpp"
@@ -14,6 +15,9 @@ namespace burmester::planar {
 
 inline constexpr double slider_departure = 1e-9;       ///< of the task size: given as PR or RP
 inline constexpr double near_slider_departure = 1e-3;  ///< of the task size: an RR that carries its slider
+
+/// A fitted line by its normal.
+Line line_of(const FittedLine& fit);
 
 /// Residual and condition are left to the caller. T is the number type of the root (double or Quad). `threshold`: the
 /// departure, in task sizes, up to which a slider is given.

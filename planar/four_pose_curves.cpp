@@ -12,6 +12,7 @@
 #include "burmester/geometry/line_fit.hpp"
 #include "burmester/modules/framework/condition.hpp"
 #include "burmester/planar/anchored_basis.hpp"
+#include "burmester/planar/classify.hpp"
 
 namespace burmester::planar {
 namespace {
@@ -76,7 +77,9 @@ CubicBranches branches_of(const Task& task) {
     branches = branches_by_rationals(f, pole);
     if (branches.topology.rung != Rung::none) return branches;
   }
-  branches.topology.reason = "two poses are equal, or all poses are parallel or rotations about one point";
+  branches.topology.reason =
+      "every pole is a singular point of it, as when two poses are equal or all are parallel or rotations about one "
+      "point";
   return branches;
 }
 
@@ -91,12 +94,6 @@ CurveRecord record_of(const CurvePiece& piece, const Task& task) {
   for (const Point2<double>& c : piece.partners) add(out.fixed, task.fixed(c));
   out.max_error += 16 * unit_roundoff * (farthest + 8 * task.length());  // the change of frame, rounded
   return out;
-}
-
-Line line_through(const std::array<Vector2, 4>& places) {
-  const FittedLine fit = fit_line(places);
-  const Vector2 normal{-fit.direction[1], fit.direction[0]};
-  return {normal, normal.dot(fit.centre)};
 }
 
 /// The real point at infinity of a circular cubic (x^2 + y^2)(c0 x + c6 y) + .., zero where there is more than one.
@@ -128,12 +125,12 @@ void add_sliders(const Task& task, PlanarReport& report) {
   if (const auto p = partner_of_far_point({n[0].transpose(), n[1].transpose(), n[2].transpose()})) {
     const Vector2 moving = task.moving(*p);
     for (std::size_t j = 0; j < 4; ++j) places[j] = to_fixed(poses[j], moving);
-    add<PR>(report, {moving, line_through(places)}, poses);
+    add<PR>(report, {moving, line_of(fit_line(places))}, poses);
   }
   if (const auto c = partner_of_far_point(n)) {
     const Vector2 fixed = task.fixed(*c);
     for (std::size_t j = 0; j < 4; ++j) places[j] = to_moving(poses[j], fixed);
-    add<RP>(report, {fixed, line_through(places)}, poses);
+    add<RP>(report, {fixed, line_of(fit_line(places))}, poses);
   }
 }
 
@@ -152,16 +149,17 @@ std::string description_of(const CurveTopology& t) {
 FourPoseCurves four_pose_curves(FourPoses poses, const CurveOptions& options) {
   const Task task(poses);
   const CubicBranches branches = branches_of(task);
-  FourPoseCurves out{branches.topology, {}};
+  FourPoseCurves out{branches.topology, {}, true};
   if (branches.topology.rung == Rung::none) return out;
-  std::vector<CurvePiece> pieces;
+  TracedCurve traced;
   {
     const UpwardRounding upward;
     const auto n = task.correlations<Interval>();
-    pieces = trace_in_plane(branches, tube_curve(points_with_partner(n)), partner_curve(n),
+    traced = trace_in_plane(branches, tube_curve(points_with_partner(n)), partner_curve(n),
                             {options.tolerance, options.longest, options.window});
   }
-  for (const CurvePiece& piece : pieces) out.pieces.push_back(record_of(piece, task));
+  out.complete = traced.complete;
+  for (const CurvePiece& piece : traced.pieces) out.pieces.push_back(record_of(piece, task));
   return out;
 }
 
@@ -179,6 +177,7 @@ PlanarReport FourPoseSolver::solve(std::span<const Pose> poses) const {
   report.message = description_of(curves.topology);
   report.counts.dimension = 1;
   report.curves = std::move(curves.pieces);
+  if (!curves.complete) report.warnings.push_back("a part of the curves could not be proved and is not listed");
   add_sliders(Task(four), report);
   sort_dyads(report);
   return report;

@@ -29,6 +29,7 @@ struct CurveOptions {
 struct FourPoseCurves {
   CurveTopology topology;           ///< of the circle-point curve; rung none: the poses are degenerate, `reason` says how
   std::vector<CurveRecord> pieces;  ///< moving pivots in E, fixed pivots in S
+  bool complete = true;             ///< not so where a part in the window could not be proved, and is not shown
 };
 
 /// Preconditions as for five poses.

@@ -82,7 +82,9 @@ Traced trace_plane_positions(const std::array<FourDoubles, 3>& d, const TraceOpt
   const auto n = equidistant_in_plane<Interval>(d);
   const Cubic<Interval> f = points_with_partner(n);
   Traced out{branches_by_intervals(f, vertex(n[0])).value(), partner_curve(n), {}};
-  out.pieces = trace_in_plane(out.branches, tube_curve(f), out.partner, options);
+  TracedCurve traced = trace_in_plane(out.branches, tube_curve(f), out.partner, options);
+  EXPECT_TRUE(traced.complete);
+  out.pieces = std::move(traced.pieces);
   return out;
 }
 
@@ -171,7 +173,8 @@ TEST(CurveTrace, CorpusCurvesAreTracedThroughTheirSingularPoints) {
     const Cubic<Rational> exact = cubic_of<Rational>(c.curve);
     const CubicBranches branches = branches_by_rationals(exact, cast<Rational>(*c.on_curve));
     const UpwardRounding upward;
-    const auto pieces = trace_in_plane(branches, tube_curve(cubic_of<Interval>(c.curve)), std::nullopt, {1e-3, 0.5, 4});
+    const auto pieces =
+        trace_in_plane(branches, tube_curve(cubic_of<Interval>(c.curve)), std::nullopt, {1e-3, 0.5, 4}).pieces;
     Random random("CurveTrace." + c.name);
     std::map<int, int> closed, open;
     for (const CurvePiece& piece : pieces) {
@@ -197,7 +200,7 @@ TEST(CurveTrace, AnOvalIsOneClosedPiece) {
   const PlaneCurve f = weierstrass(0, -1, 0);
   const CubicBranches branches = branches_by_rationals(cubic_of<Rational>(f), cast<Rational>(Point(0, 1, 0)));
   const UpwardRounding upward;
-  const auto pieces = trace_in_plane(branches, tube_curve(cubic_of<Interval>(f)), std::nullopt, {1e-4, 0.1, 3});
+  const auto pieces = trace_in_plane(branches, tube_curve(cubic_of<Interval>(f)), std::nullopt, {1e-4, 0.1, 3}).pieces;
   ASSERT_EQ(pieces.size(), 2u);
   for (const CurvePiece& piece : pieces) {
     const bool oval = piece.points.front()[0] < 0.5;
@@ -218,7 +221,7 @@ TEST(CurveTrace, OnTheSphereEachBranchIsOneClosedPieceWithinItsError) {
     const Cubic<Interval> f = points_with_partner(n);
     const auto branches = branches_by_intervals(f, vertex(n[0]));
     ASSERT_TRUE(branches);
-    const auto pieces = trace_on_sphere(*branches, tube_curve(f), partner_curve(n), {1e-4, 0.2});
+    const auto pieces = trace_on_sphere(*branches, tube_curve(f), partner_curve(n), {1e-4, 0.2}).pieces;
     ASSERT_EQ(pieces.size(), branches->branches.size());
     int odd = 0;
     for (const CurvePiece& piece : pieces) {
@@ -309,7 +312,9 @@ TEST(CurveTrace, ABranchWhoseTurningPointsAgreeInDoublesIsCountedButNotShown) {
   Cubic<Interval> rounded;
   for (std::size_t k = 0; k < 10; ++k)
     rounded.c[k] = Interval(lower(RationalInterval(f.c[k])), upper(RationalInterval(f.c[k])));
-  EXPECT_TRUE(trace_in_plane(branches, tube_curve(rounded), std::nullopt, {1e-3, 0.5, 4}).empty());
+  const TracedCurve traced = trace_in_plane(branches, tube_curve(rounded), std::nullopt, {1e-3, 0.5, 4});
+  EXPECT_TRUE(traced.pieces.empty());
+  EXPECT_FALSE(traced.complete);
 }
 
 TEST(CurveTrace, OptionsMustBePositive) {

@@ -51,6 +51,7 @@ TEST(FourPoseCurves, PairedPointsMeetThePoses) {
     const FourPoseCurves curves = four_pose_curves(task, {1e-3, 1, 8});
     ASSERT_NE(curves.topology.rung, Rung::none) << i;
     ASSERT_FALSE(curves.pieces.empty()) << i;
+    EXPECT_TRUE(curves.complete) << i;
     for (const CurveRecord& piece : curves.pieces) {
       ASSERT_EQ(piece.moving.size(), piece.fixed.size());
       for (std::size_t k = 0; k < piece.moving.size(); ++k, ++pairs) {
