@@ -2,7 +2,7 @@
 
 namespace burmester::spherical {
 
-std::size_t reference_of(std::span<const Pose> poses) {
+int reference_of(std::span<const Pose> poses) {
   std::vector<double> sum(poses.size());
   std::size_t first = 0, second = 0;
   double least = 2;
@@ -12,7 +12,7 @@ std::size_t reference_of(std::span<const Pose> poses) {
       sum[i] += gap, sum[j] += gap;
       if (gap < least) least = gap, first = i, second = j;
     }
-  return sum[first] <= sum[second] ? first : second;
+  return static_cast<int>(sum[first] <= sum[second] ? first : second);
 }
 
 }  // namespace burmester::spherical

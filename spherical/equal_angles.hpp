@@ -1,6 +1,6 @@
 // What two orientations ask of a dyad: that the angle between its axes is the same in both, a correlation.
 //
-// Seen from pose r with p = (w, v) = conj(q_r) q_j, R its rotation, a the moving axis in E and b' = Qr^T b the fixed one,
+// Seen from pose r, with p = (w, v) = conj(q_r) q_j, its rotation R, the moving axis a in E and the fixed one b' = Qr^T b,
 //     a^T N b' = 0,   N^T = |p|^2 (R - I) / 2 = w [v]x + v v^T - |v|^2 I
 // (J. M. McCarthy, G. S. Soh, "Geometric Design of Linkages", 2nd ed. 2011). Its vertex is v, the axis of the rotation.
 #pragma once
@@ -17,7 +17,7 @@
 namespace burmester::spherical {
 
 /// A pose of the closest pair, the one nearer to the others: there the small rotation is seen at its own scale.
-std::size_t reference_of(std::span<const Pose> poses);
+int reference_of(std::span<const Pose> poses);
 
 /// conj(a) b, from the difference of the two: what nearly equal poses have in common does not cancel.
 template <class T>

@@ -13,7 +13,7 @@ namespace {
 /// Axes in E, and in S turned back by a reference pose.
 class Task {
  public:
-  explicit Task(FourPoses poses) : poses_(poses), reference_(reference_of(poses)) {}
+  explicit Task(FourPoses poses) : poses_(poses), reference_(static_cast<std::size_t>(reference_of(poses))) {}
 
   static double length() { return 1; }
   template <class T>
