@@ -23,8 +23,9 @@ struct DecidingCorrelations {
 using TraceCurve = TracedCurve (&)(const CubicBranches&, const TubeCurve&, const std::optional<PartnerCurve>&,
                                    const TraceOptions&);
 
-/// The curves are seen from a vertex of one of the correlations, or from a point between two of them. There is no answer
-/// where every point has a partner, or where a line of such points counts more than once. Throws std::invalid_argument for options that are not positive.
+/// The curves are seen from a vertex of one of the correlations, or from a point between two of them. No answer where
+/// every point has a partner, or where a line of such points counts more than once. Throws std::invalid_argument for
+/// options that are not positive.
 PairedCurves paired_curves(const DecidingCorrelations& correlations, TraceCurve trace, const TraceOptions& options);
 
 }  // namespace burmester

@@ -71,12 +71,12 @@ void add_sliders(const Task& task, PlanarReport& report) {
   if (const auto p = partner_of_far_point({n[0].transpose(), n[1].transpose(), n[2].transpose()})) {
     const Vector2 moving = task.moving(*p);
     for (std::size_t j = 0; j < 4; ++j) places[j] = to_fixed(poses[j], moving);
-    add_slider<PR>(report, {moving, line_of(fit_line(places))}, poses);
+    report.dyads.push_back(found_slider<PR, Dyads>({moving, line_of(fit_line(places))}, poses));
   }
   if (const auto c = partner_of_far_point(n)) {
     const Vector2 fixed = task.fixed(*c);
     for (std::size_t j = 0; j < 4; ++j) places[j] = to_moving(poses[j], fixed);
-    add_slider<RP>(report, {fixed, line_of(fit_line(places))}, poses);
+    report.dyads.push_back(found_slider<RP, Dyads>({fixed, line_of(fit_line(places))}, poses));
   }
 }
 
@@ -86,9 +86,9 @@ constexpr CurveWords words{"line", "conic"};
 
 FourPoseCurves four_pose_curves(FourPoses poses, const CurveOptions& options) {
   const Task task(poses);
-  PairedCurves curves = paired_curves({[&] { return task.correlations<Interval>(); },
-                                       [&] { return task.correlations<Rational>(); }},
-                                      trace_in_plane, {options.tolerance, options.longest, options.window});
+  PairedCurves curves =
+      paired_curves({[&] { return task.correlations<Interval>(); }, [&] { return task.correlations<Rational>(); }},
+                    trace_in_plane, {options.tolerance, options.longest, options.window});
   if (curves.topology.rung == Rung::none)
     curves.topology.reason += ", as when two poses are equal or all are parallel or rotations about one point";
   return curves_in_frames(curves, task);

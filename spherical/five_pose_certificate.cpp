@@ -6,7 +6,6 @@
 #include "burmester/geometry/enclosure.hpp"
 #include "burmester/geometry/krawczyk.hpp"
 #include "burmester/geometry/simple_roots.hpp"
-#include "burmester/spherical/exact_axes.hpp"
 #include "burmester/spherical/family.hpp"
 
 namespace burmester::spherical {
@@ -147,21 +146,10 @@ Axis middle(const Vector<RationalInterval, 3>& x) {
 }
 
 void prove_exactly(FivePoses poses, CertifiedAxes& out) {
-  const auto all = exact_axes(bilinear_equations<Rational>(poses, out.reference));
-  if (!all) {
+  if (const auto all = exact_axes(bilinear_equations<Rational>(poses, out.reference)))
+    out = certified_axes(*all, at(poses, out.reference), out.reference);
+  else
     out.degeneracy = exact_degeneracy(poses);
-    return;
-  }
-  const Matrix<double, 3, 3> turn = rotation<double>(at(poses, out.reference));
-  out.count = static_cast<int>(all->size());
-  out.count_rung = Rung::exact;
-  for (std::size_t i = 0; i < all->size(); ++i) {
-    const EnclosedAxes& dyad = (*all)[i];
-    out.axes[i] = {middle(dyad.moving), (turn * middle(dyad.fixed)).normalized()};
-    out.boxes[i] = box_of(enclosure_of(dyad.moving), enclosure_of(dyad.fixed), Rung::exact);
-    out.boxes[i].multiplicity = dyad.multiplicity;
-  }
-  out.complete = true;
 }
 
 /// The angle whose sine is at most e, or a little more.
@@ -198,6 +186,22 @@ CertifiedAxes certified_axes(FivePoses poses, std::span<const AxisPair> found) {
   out.reference = reference_of(poses);
   prove_by_intervals(poses, found, out);
   if (!out.complete) prove_exactly(poses, out);
+  return out;
+}
+
+CertifiedAxes certified_axes(std::span<const EnclosedAxes> all, const Pose& reference, int number) {
+  CertifiedAxes out;
+  out.reference = number;
+  const Matrix<double, 3, 3> turn = rotation<double>(reference);
+  out.count = static_cast<int>(all.size());
+  out.count_rung = Rung::exact;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const EnclosedAxes& dyad = all[i];
+    out.axes[i] = {middle(dyad.moving), (turn * middle(dyad.fixed)).normalized()};
+    out.boxes[i] = box_of(enclosure_of(dyad.moving), enclosure_of(dyad.fixed), Rung::exact);
+    out.boxes[i].multiplicity = dyad.multiplicity;
+  }
+  out.complete = true;
   return out;
 }
 

@@ -13,6 +13,7 @@
 #include "burmester/geometry/range.hpp"
 #include "burmester/modules/framework/certificate.hpp"
 #include "burmester/spherical/dyads.hpp"
+#include "burmester/spherical/exact_axes.hpp"
 #include "burmester/spherical/exact_degeneracy.hpp"
 
 namespace burmester::spherical {
@@ -42,6 +43,9 @@ struct CertifiedAxes {
 /// For any five orientations. `found`: approximations of the real dyads, of any origin, in any order; they save time, but
 /// the answer does not depend on them.
 CertifiedAxes certified_axes(FivePoses poses, std::span<const AxisPair> found);
+
+/// The same of all that elimination gave (exact_axes.hpp), seen from the reference pose with that number.
+CertifiedAxes certified_axes(std::span<const EnclosedAxes> all, const Pose& reference, int number);
 
 /// How far what `shown` states can be from the truth, given that the dyad is in the box: the angles between the axes
 /// shown and the true ones and the error of the arc, radians, all together as one Euclidean distance (coordinates are

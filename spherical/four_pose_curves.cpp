@@ -52,6 +52,20 @@ std::string degeneracy_of(FourPoses poses) {
   return {};
 }
 
+void add_sliders(FourPoses poses, SphericalReport& report) {
+  const auto found = sliders(poses);
+  if (!found) {
+    report.message += "; infinitely many of them are sliders";
+    return;
+  }
+  report.message += found->empty() ? "; none of them a slider"
+                                   : fmt::format("; {} slider{}", found->size(), found->size() == 1 ? "" : "s");
+  for (const auto& [slider, multiplicity] : *found) {
+    report.dyads.push_back(slider);
+    if (multiplicity > 1) report.warnings.push_back(fmt::format("{} sliders coincide", multiplicity));
+  }
+}
+
 }  // namespace
 
 FourPoseCurves four_pose_curves(FourPoses poses, const CurveOptions& options) {
@@ -66,7 +80,10 @@ FourPoseCurves four_pose_curves(FourPoses poses, const CurveOptions& options) {
 
 SphericalReport FourPoseSolver::solve(std::span<const Pose> poses) const {
   assert(poses.size() == 4);
-  return curve_report<Dyads>(four_pose_curves(poses.first<4>()), words);
+  const FourPoses four = poses.first<4>();
+  SphericalReport report = curve_report<Dyads>(four_pose_curves(four), words);
+  if (report.status == Status::family) add_sliders(four, report);
+  return report;
 }
 
 static_assert(Solver<FourPoseSolver>);

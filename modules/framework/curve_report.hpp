@@ -1,4 +1,4 @@
-// Four poses: reports of the curve of their dyads, for every geometry in which the pairs of pivots make two paired curves.
+// Four poses: reports of the curve of their dyads, for geometries in which their pivots make two paired curves.
 #pragma once
 
 #include <algorithm>
@@ -69,16 +69,16 @@ Report<List> curve_report(FourPoseCurves curves, const CurveWords& words) {
   return report;
 }
 
-/// Adds a slider that lies on the curves.
+/// A slider that lies on the curves.
 template <class D, class List>
-void add_slider(Report<List>& report, const typename D::Design& design,
-                std::span<const typename D::Space::Pose> poses) {
+Found<typename List::Design> found_slider(const typename D::Design& design,
+                                          std::span<const typename D::Space::Pose> poses) {
   Found<typename List::Design> found;
   found.design = design;
   found.residual = largest_residual<D>(design, poses);
   found.condition = condition<D>(design, poses);
   found.departure = found.residual;
-  report.dyads.push_back(std::move(found));
+  return found;
 }
 
 }  // namespace burmester
