@@ -21,8 +21,8 @@ namespace burmester::planar {
 
 struct CommonDyad {
   Vector2 moving, fixed;  ///< in E, in S; rounded once from 160 bits and more
-  double centre_gap =
-      0;  ///< distance of the centres that the two curves give it, in task sizes: 0 but for the 160 bits
+  /// Distance of the centres that the two curves give it, in task sizes: 0 but for the 160 bits.
+  double centre_gap = 0;
 };
 
 struct CommonDyads {
