@@ -5,10 +5,7 @@ namespace {
 
 Vector2 vector_of(const std::vector<double>& p) { return {p[0], p[1]}; }
 
-Line line_of(const LineRecord& record) {
-  const Vector2 normal(-std::sin(record.angle), std::cos(record.angle));
-  return {normal, normal.dot(vector_of(record.point))};
-}
+Line line_of(const LineRecord& record) { return Line::through(vector_of(record.point), record.angle); }
 
 }  // namespace
 

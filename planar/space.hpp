@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "burmester/geometry/random.hpp"
 #include "burmester/modules/framework/displacement.hpp"
@@ -49,10 +50,18 @@ struct Space : Displacement<std::array{0, 3, 5, 6}, std::array{1, 2}> {
   }
 };
 
-/// Blaschke-Gruenwald coordinates (X1, X2, X3, X4) of a pose, up to scale.
+/// Blaschke-Gruenwald coordinates (X1, X2, X3, X4) of a point of P^3, and back.
+inline Vector<double, 4> image_coordinates(const Space::Point<double>& p) { return {-p[3], p[2], p[1], p[0]}; }
+/// Blaschke-Gruenwald coordinates of a pose, up to scale.
 inline Vector<double, 4> image_point(const Pose& pose) {
-  const Vector<double, 4> p = Space::point<double>(pose);
-  return {-p[3], p[2], p[1], p[0]};
+  return image_coordinates(Space::point<double>(pose));
+}
+inline Space::Point<double> point_of_image(const Vector<double, 4>& X) { return {X[3], X[2], X[1], -X[0]}; }
+/// The pose with these image coordinates, of any scale; X4 = 0 is a half turn. Empty for X3 = X4 = 0, the points of P^3
+/// that are no displacement.
+inline std::optional<Pose> pose_of_image(const Vector<double, 4>& X) {
+  if (X[2] == 0 && X[3] == 0) return std::nullopt;
+  return Space::pose(point_of_image(X));
 }
 
 /// Rotation by a pose's angle: p in E -> direction in S.

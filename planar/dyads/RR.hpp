@@ -1,7 +1,8 @@
 // RR: a point of the moving plane stays on a circle of the fixed plane. |P - F| = length.
 #pragma once
 
-#include "burmester/planar/dyads/line.hpp"
+#include "burmester/planar/dyads/circle.hpp"
+#include "burmester/planar/dyads/forms.hpp"
 
 namespace burmester::planar {
 
@@ -33,11 +34,8 @@ struct RR {
     const Vector2 fixed = Space::random_feature(random), moving = Space::random_feature(random);
     return {fixed, moving, 0.1 + std::abs(random.normal())};
   }
-  /// K0 = 1, centre (-K1, -K2), K3 = K1^2 + K2^2 - length^2
   static Vector<double, 8> encode(const Design& d) {
-    const Vector2 K = -d.fixed, &p = d.moving;
-    const double K3 = d.fixed.squaredNorm() - d.length * d.length;
-    return Vector<double, 8>{{1, K[0], K[1], p[0], p[1], p.squaredNorm() + K3, K.dot(p), K[1] * p[0] - K[0] * p[1]}};
+    return form_of_moving_point<double>(coordinates_of(Circle{d.fixed, d.length}), d.moving);
   }
   static DyadRecord record(const Design& d) {
     DyadRecord out;

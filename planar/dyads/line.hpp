@@ -13,6 +13,11 @@ struct Line {
   Vector2 normal{0, 1};  ///< unit vector
   double offset = 0;     ///< length units
 
+  /// Through a point, in the direction (cos angle, sin angle).
+  static Line through(const Vector2& p, double angle) {
+    const Vector2 n(-std::sin(angle), std::cos(angle));
+    return {n, n.dot(p)};
+  }
   double signed_distance(const Vector2& p) const { return normal.dot(p) - offset; }
   Line turned(double angle) const {  ///< about the foot of the perpendicular from the origin
     const double c = std::cos(angle), s = std::sin(angle);

@@ -1,7 +1,8 @@
 // The two dyads with one slider, PR and RP: a point of one plane stays on a straight line of the other.
 #pragma once
 
-#include "burmester/planar/dyads/line.hpp"
+#include "burmester/planar/dyads/circle.hpp"
+#include "burmester/planar/dyads/forms.hpp"
 
 namespace burmester::planar {
 
@@ -36,10 +37,8 @@ struct PR {
     const Vector2 moving = Space::random_feature(random);
     return {moving, Line::random(random)};
   }
-  /// K0 = 0, (K1, K2) = normal / 2, K3 = -offset
   static Vector<double, 8> encode(const Design& d) {
-    const Vector2 K = d.line.normal / 2, &p = d.moving;
-    return Vector<double, 8>{{0, K[0], K[1], 0, 0, -d.line.offset, K.dot(p), K[1] * p[0] - K[0] * p[1]}};
+    return form_of_moving_point<double>(coordinates_of(d.line), d.moving);
   }
   static DyadRecord record(const Design& d) {
     DyadRecord out;
@@ -78,10 +77,8 @@ struct RP {
     const Vector2 fixed = Space::random_feature(random);
     return {fixed, Line::random(random)};
   }
-  /// K0 = K1 = K2 = 0, (k3, k4) = -normal / 2, k5 = -offset
   static Vector<double, 8> encode(const Design& d) {
-    const Vector2 n = d.line.normal / 2, &f = d.fixed;
-    return Vector<double, 8>{{0, 0, 0, -n[0], -n[1], -d.line.offset, n.dot(f), n[0] * f[1] - n[1] * f[0]}};
+    return form_of_fixed_point<double>(coordinates_of(d.line), d.fixed);
   }
   static DyadRecord record(const Design& d) {
     DyadRecord out;

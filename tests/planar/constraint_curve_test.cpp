@@ -7,24 +7,13 @@
 #include <numbers>
 #include <optional>
 
-#include "burmester/geometry/quadric_class.hpp"
-#include "burmester/geometry/quadric_intersection.hpp"
-#include "burmester/planar/constraint_quadric.hpp"
+#include "burmester/planar/constraint_curve.hpp"
 #include "moved_forms.hpp"
 
 namespace burmester::planar {
 namespace {
 
 using Sections = QuadricSections<double>;
-
-/// The chart X4 = 1; X4 is the first coordinate (constraint_quadric.hpp).
-const Point3<double> X4_is_0(1, 0, 0, 0);
-
-/// X3 = X4 = 0, so that plane (s : t) is X4 : X3 = s : t.
-template <class T>
-PlanePencil<T> planes_of_constant_angle() {
-  return planes_through<T>({T(0), T(0), T(1), T(0)}, {T(0), T(0), T(0), T(1)});
-}
 
 /// A whole number of 64ths.
 double dyadic(Random& random) { return (random.below(513) - 256) / 64.0; }
@@ -44,8 +33,8 @@ Line dyadic_line(Random& random) {
 
 QuadricType type_of(const Vector<double, 8>& k) {
   const Quadric<double> surface = constraint_quadric(k);
-  const QuadricType type = classify(surface, X4_is_0).type;
-  EXPECT_EQ(classify(in_rationals(surface), X4_is_0.cast<Rational>()).type, type);
+  const QuadricType type = classify(surface, half_turns).type;
+  EXPECT_EQ(classify(in_rationals(surface), half_turns.cast<Rational>()).type, type);
   return type;
 }
 
@@ -75,40 +64,6 @@ TEST(ConstraintSurface, TypeIsTheSignOfTheSquaredLength) {
     EXPECT_EQ(type_of(k), QuadricType::imaginary_ellipsoid) << i;
     k[5] -= 0x1p-29;
     EXPECT_EQ(type_of(k), QuadricType::hyperboloid_of_one_sheet) << i;
-  }
-}
-
-/// Points of the parametrised surfaces of M. J. D. Hayes, T. Luu, X.-W. Chang, "Kinematic mapping application
-/// to approximate type and dimension synthesis of planar mechanisms", 2004, in 16 digits: (X1, X2, X3), X4 = 1.
-TEST(ConstraintSurface, HoldsThePublishedParametrisation) {
-  struct Case {
-    Vector<double, 8> k;
-    Vector<double, 3> X[3];
-  };
-  const Line fixed_line{{-0.8660254037844386, 0.5}, -2.3547660358};
-  const Line moving_line{{-0.9396926207859084, 0.3420201433256687}, 0.17101007166283436};
-  const Case cases[] = {{RR::encode({{5, 0}, {3, -2}, 2}),
-                         {{-5.277742651567941, 3.0327566290265873, -1.5},
-                          {0.1517961402451948, 1.5793433004319246, 0.4},
-                          {8.896164557725887, -3.3536999007256347, 2.2}}},
-                        {RR::encode({{-1, 1}, {-1, -2}, 5}),
-                         {{4.305643371080148, 2.081891572566468, -1.5},
-                          {-3.020509649387013, 2.2483582510798117, 0.4},
-                          {-0.9595886056852813, -6.484249751814088, 2.2}}},
-                        {PR::encode({{0, 0}, fixed_line}),
-                         {{-0.6983700857110169, 2.022536582762287, -1.5},
-                          {1.662574354128754, -0.062243161607987006, 0.4},
-                          {2.9605934645372933, 1.0474130223749591, 2.2}}},
-                        {RP::encode({{1, 3}, moving_line}),
-                         {{-2.440609438188118, -0.3161847650875582, -1.5},
-                          {-1.115242041850036, 1.1979480796834698, 0.4},
-                          {-1.320370631234839, 3.156689549443315, 2.2}}}};
-  for (const Case& c : cases) {
-    const Quadric<double> surface = constraint_quadric(c.k);
-    for (const auto& X : c.X) {
-      const Point3<double> x(1, X[2], X[1], -X[0]);
-      EXPECT_NEAR(surface(x), 0, 32 * unit_roundoff * size_of(surface) * x.squaredNorm());
-    }
   }
 }
 
