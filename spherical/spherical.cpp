@@ -1,5 +1,6 @@
 #include "burmester/spherical/spherical.hpp"
 
+#include "burmester/spherical/drawing.hpp"
 #include "burmester/spherical/family.hpp"
 #include "burmester/spherical/pose_format.hpp"
 
@@ -35,7 +36,9 @@ class SphericalModule final : public Module {
   double task_size(const Problem&) const override { return 1; }
 
   Synthesis synthesize(const Problem&) const override { throw NotAvailable("spherical synthesis"); }
-  Drawing draw(const Problem&, const Synthesis&) const override { return {}; }
+  Drawing draw(const Problem& problem, const Synthesis& answer) const override {
+    return draw_synthesis(problem, answer);
+  }
 
  private:
   ModuleInfo info_ = describe();
