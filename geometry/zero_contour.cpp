@@ -1,5 +1,7 @@
 #include "burmester/geometry/zero_contour.hpp"
 
+#include <algorithm>
+#include <map>
 #include <optional>
 
 namespace burmester {
@@ -12,7 +14,9 @@ struct Corner {
   double value;
 };
 
+/// The same doubles from both cells that share the edge.
 Point zero_between(const Corner& a, const Corner& b) {
+  if (b.at < a.at) return zero_between(b, a);
   const double f = a.value / (a.value - b.value);
   return {a.at[0] + f * (b.at[0] - a.at[0]), a.at[1] + f * (b.at[1] - a.at[1])};
 }
@@ -59,6 +63,35 @@ std::vector<ContourSegment> zero_contour(const SampledSquare& f) {
   for (int j = 0; j < f.cells; ++j)
     for (int i = 0; i < f.cells; ++i)
       add_cell({corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)}, j * f.cells + i, out);
+  return out;
+}
+
+std::vector<std::vector<Point>> joined(const std::vector<ContourSegment>& segments) {
+  std::map<Point, std::vector<std::size_t>> at;
+  for (std::size_t i = 0; i < segments.size(); ++i)
+    for (const Point& p : {segments[i].from, segments[i].to}) at[p].push_back(i);
+  std::vector<bool> used(segments.size(), false);
+  const auto extend = [&](std::vector<Point>& line) {
+    for (bool more = true; more;) {
+      const Point end = line.back();
+      more = false;
+      for (const std::size_t i : at[end])
+        if (!used[i]) {
+          used[i] = more = true;
+          line.push_back(segments[i].from == end ? segments[i].to : segments[i].from);
+          break;
+        }
+    }
+  };
+  std::vector<std::vector<Point>> out;
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    if (used[i]) continue;
+    used[i] = true;
+    std::vector<Point>& line = out.emplace_back(std::vector<Point>{segments[i].from, segments[i].to});
+    extend(line);
+    std::reverse(line.begin(), line.end());
+    extend(line);
+  }
   return out;
 }
 

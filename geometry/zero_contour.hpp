@@ -30,6 +30,9 @@ struct ContourSegment {
 /// sign, the mean of the corners decides which are joined.
 std::vector<ContourSegment> zero_contour(const SampledSquare& f);
 
+/// The segments joined into polylines; a closed one ends where it began.
+std::vector<std::vector<std::array<double, 2>>> joined(const std::vector<ContourSegment>& segments);
+
 /// Where segments of one cell cross, one of each contour. Precondition: both from grids with the same cells.
 std::vector<std::array<double, 2>> crossings(const std::vector<ContourSegment>& f,
                                              const std::vector<ContourSegment>& g);

@@ -27,6 +27,17 @@ TEST(ZeroContour, CircleIsClosedAndWithinTheSquareOfTheCell) {
   EXPECT_NEAR(length, 2 * std::numbers::pi * std::sqrt(0.47), 0.01);
 }
 
+TEST(ZeroContour, SegmentsJoinToWholeCurves) {
+  const auto circle = joined(zero_contour(sampled(1, 40, [](double u, double v) { return u * u + v * v - 0.47; })));
+  ASSERT_EQ(circle.size(), 1u);
+  EXPECT_EQ(circle[0].front(), circle[0].back());
+  const auto hyperbola = joined(zero_contour(sampled(1, 40, [](double u, double v) { return u * v - 0.11; })));
+  ASSERT_EQ(hyperbola.size(), 2u);
+  for (const auto& branch : hyperbola)  // each from one side of the square to another
+    for (const auto& end : {branch.front(), branch.back()})
+      EXPECT_EQ(std::max(std::abs(end[0]), std::abs(end[1])), 1);
+}
+
 TEST(ZeroContour, SaddlesAreJoinedTheWayTheMiddleSays) {
   for (const double level : {-0.1, 0.1}) {
     const SampledSquare f = sampled(1, 1, [&](double u, double v) { return u * v + level; });

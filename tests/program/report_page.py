@@ -45,7 +45,7 @@ class ReportPage(ProgramTest):
         return elements, result
 
     def test_examples(self):
-        for name in ("mech576_five_poses", "hayes_2004_rrrp_exact", "hayes_2002_five_positions"):
+        for name in ("mech576_five_poses", "hayes_2004_rrrp_exact", "hayes_2002_five_positions", "angeles_bai_1", "angeles_bai_2_exact"):
             with self.subTest(example=name):
                 elements, result = self.check(example(name))
                 self.assertIn(f'<h1 id="name">{result["name"]}</h1>', elements)
