@@ -51,12 +51,23 @@ std::optional<SketchDyad> dyad_of(const Synthesis& answer, int id) {
   return std::nullopt;
 }
 
+/// Of the moving x axis, in steps that the eye needs.
+SpherePoints path_of(const std::vector<Pose>& frames) {
+  std::vector<Axis> kept;
+  for (const Pose& pose : frames)
+    if (const Axis x = carried(pose, Axis::UnitX());
+        kept.empty() || &pose == &frames.back() || Space::distance(kept.back(), x) > arc_step / 2)
+      kept.push_back(x);
+  SpherePoints out;
+  for (const Axis& x : kept) out.push_back(coordinates(x));
+  return out;
+}
+
 SphereDrawing linkage_drawing(int id, const std::array<SketchDyad, 2>& dyads, const std::vector<Pose>& poses) {
   const Motions motions = motions_through(poses, dyads);
   SphereDrawing out{id, fixed_strokes(dyads), {}};
   for (const std::vector<Pose>& path : motions.paths) {
-    SphereStroke& stroke = out.strokes.emplace_back(SphereStroke{.role = "path"});
-    for (const Pose& pose : path) stroke.points.push_back(coordinates(carried(pose, Axis::UnitX())));
+    out.strokes.push_back({.role = "path", .points = path_of(path)});
   }
   append(out.strokes, task_strokes(poses));
   for (std::size_t j = poses.size(); j-- > 0;)

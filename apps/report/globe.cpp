@@ -52,12 +52,12 @@ std::vector<std::vector<Point>> graticule() {
   std::vector<std::vector<Point>> out;
   for (int longitude = 0; longitude < 360; longitude += 30) {
     auto& line = out.emplace_back();
-    for (int latitude = -90; latitude <= 90; latitude += 3)
+    for (int latitude = -90; latitude <= 90; latitude += 5)
       line.push_back(on_globe(longitude * degree, latitude * degree));
   }
   for (int latitude = -60; latitude <= 60; latitude += 30) {
     auto& line = out.emplace_back();
-    for (int longitude = 0; longitude <= 360; longitude += 3)
+    for (int longitude = 0; longitude <= 360; longitude += 5)
       line.push_back(on_globe(longitude * degree, latitude * degree));
   }
   return out;

@@ -61,7 +61,7 @@ class Labels {
 class Sheet {
  public:
   Sheet(const SphereDrawing& drawing, std::string_view title)
-      : drawing_(drawing), svg_({-1.1, -1.62 - pitch * (rows() - 1), 1.1 + pitch, 1.06}, title) {}
+      : drawing_(drawing), svg_({-0.95, -1.5 - pitch * (rows() - 1), 0.95 + pitch, 0.92}, title) {}
 
   std::string draw() {
     for (std::size_t v = 0; v < drawing_.views.size(); ++v) {
