@@ -80,8 +80,7 @@ SphereDrawing linkage_drawing(int id, const std::array<SketchDyad, 2>& dyads, co
 
 Drawing draw_synthesis(const Problem& problem, const Synthesis& answer) {
   Drawing out;
-  std::vector<Pose> poses;
-  for (const PoseData& data : problem.poses) poses.push_back(pose_of(data));
+  const std::vector<Pose> poses = poses_of(problem);
   if (poses.empty()) return out;
   out.spheres.push_back(task_drawing(poses, answer));
   for (const LinkageRecord& linkage : answer.linkages) {

@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <ostream>
 
@@ -166,10 +165,8 @@ int semigraphical(const Request& request, const Registry& registry, Console& con
   std::optional<OutputFolder> folder;
   if (!request.folder.empty()) folder.emplace(request.folder);
 
-  std::array<spherical::Pose, 5> poses;
-  std::transform(problem.poses.begin(), problem.poses.end(), poses.begin(), spherical::pose_of);
   const Synthesis algebraic = listed(registry.find("spherical")->synthesize(problem), {});
-  const SemigraphicalAnswer answer = spherical::semigraphical(poses, request.cells);
+  const SemigraphicalAnswer answer = spherical::semigraphical(spherical::poses_of(problem), request.cells);
   const std::vector<Pairing> pairings = paired(answer, algebraic);
   const std::string as_json = json_text(document(problem, answer, pairings, algebraic));
   if (folder) {
