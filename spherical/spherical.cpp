@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "burmester/spherical/drawing.hpp"
 #include "burmester/spherical/family.hpp"
+#include "burmester/spherical/five_pose_solver.hpp"
 #include "burmester/spherical/four_pose_curves.hpp"
 #include "burmester/spherical/pose_format.hpp"
 
@@ -19,7 +21,7 @@ ModuleInfo describe() {
   info.name = Space::name;
   info.origin = "built in";
   Dyads::for_each([&]<class D>() { info.dyad_types.push_back(D::name); });
-  info.solvers = describe_solvers<FourPoseSolver>();
+  info.solvers = describe_solvers<FourPoseSolver, FivePoseSolver>();
   info.type_aliases = {{"RP", "PR"}};  // a slider is its own inverse
   info.csv_headers = {{"qw", "qx", "qy", "qz"}};
   info.point_size = Space::feature_size;
@@ -29,10 +31,16 @@ ModuleInfo describe() {
 SphericalReport solve(const Problem& problem, std::span<const Pose> poses) {
   if (!problem.fixed.empty() || !problem.moving.empty())
     throw NotAvailable("spherical synthesis for given fixed or moving axes");
-  if (poses.size() != 4)
-    throw NotAvailable(fmt::format("spherical synthesis for {} orientations (this version solves four)", poses.size()));
-  if (!problem.near.empty()) throw NotAvailable("dyads near given axes of the cone of four orientations");
-  SphericalReport report = FourPoseSolver().solve(poses);
+  SphericalReport report;
+  if (poses.size() == 5) {
+    report = FivePoseSolver{.certify = problem.certify}.solve(poses);
+  } else if (poses.size() == 4) {
+    if (!problem.near.empty()) throw NotAvailable("dyads near given axes of the cone of four orientations");
+    report = FourPoseSolver().solve(poses);
+  } else {
+    throw NotAvailable(fmt::format("spherical synthesis for {} orientations", poses.size()));
+  }
+  if (!problem.near.empty()) report.warnings.push_back("near: only four poses leave a choice; ignored");
   if (!problem.weights.empty()) report.warnings.push_back("weights: up to five poses are met exactly; ignored");
   return report;
 }
@@ -58,7 +66,9 @@ class SphericalModule final : public Module {
     const SphericalReport report = solve(problem, poses_of(problem));
     return {report.status, report.message, report.counts, records_of(report), {}, report.warnings, report.curves};
   }
-  Drawing draw(const Problem&, const Synthesis&) const override { return {}; }
+  Drawing draw(const Problem& problem, const Synthesis& answer) const override {
+    return draw_synthesis(problem, answer);
+  }
 
  private:
   ModuleInfo info_ = describe();

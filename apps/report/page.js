@@ -9,7 +9,8 @@ const drawing = data.drawing || {};
 const poses = drawing.poses || [], dyads = result.dyads || [], curves = result.curves || [];
 const linkages = result.linkages || [], units = result.units || {};
 const ORDER = ["ground", "guide", "coupler", "link", "block", "moving_pivot", "fixed_pivot", "frame"];
-const drawn = new Map((drawing.linkages || []).map(l => [l.id, prepare(l)]));
+const spheres = new Map((drawing.spheres || []).map(d => [d.linkage, d])), spherical = spheres.size > 0;   // then nothing is drawn in the plane
+const drawn = new Map([...(drawing.linkages || []), ...[...spheres.keys()].filter(id => id).map(id => ({ id }))].map(l => [l.id, prepare(l)]));
 const state = { id: null, motion: 0, u: 0, playing: false, direction: 1, hot: new Set() };
 const colour = i => `--c:var(--p${i % 8})`;
 const poseName = i => poses[i] ? poses[i].label : String(i + 1);
@@ -155,7 +156,13 @@ function drawDyad(view, d) {
   g.append(text(add(view.px(d.fixed || inBody(poses[0], d.moving)), [10, -12]), `dyad ${d.id}`, "dyad-label", "start"));
   return g;
 }
+const shownStroke = t => (t.pose <= 1 || t.role === "task" || $("show-ghosts").checked) && (t.role !== "path" || $("show-path").checked)
+  && (!t.role.endsWith("_curve") || $("show-curves").checked);
+function drawSphere(view, svg, id) {
+  if (spheres.has(id)) svg.replaceChildren(...sphereTools.globe(view, spheres.get(id), shownStroke, state.hot.size === 1 ? [...state.hot][0] : -1, false));
+}
 function drawPoses() {
+  if (spherical) return drawSphere(view1, $("svg-poses"), 0);
   const o = poses.map(p => view1.px(p.origin));
   const gaps = o.map((p, i) => Math.min(...o.filter((_, j) => j !== i).map(q => Math.hypot(...add(p, q, -1))))).sort((a, b) => a - b);
   const size = clamp(0.45 * (gaps[gaps.length >> 1] || 100), 18, 46), out = fixedFrame(view1);
@@ -173,6 +180,7 @@ const layer = { back: s("g", {}), live: s("g", {}) };
 const current = () => drawn.get(state.id);
 const motionNow = () => current() && current().motions[state.motion];
 function drawLinkage() {
+  if (spherical) return drawSphere(view2, $("svg-linkage"), state.id);
   const l = current(), m = motionNow(), out = fixedFrame(view2);
   if (!l) return;
   if (m) for (const t of tracks(l, m)) if ($(t.pivot ? "show-pivots" : "show-path").checked)
@@ -183,6 +191,7 @@ function drawLinkage() {
   drawNow();
 }
 function drawNow() {
+  if (spherical) return drawLinkage();
   const l = current(), m = motionNow(), shot = m ? frameAt(m, state.u) : l && l.at_pose[0];
   if (shot) layer.live.replaceChildren(...drawLive(view2, l, shot).filter(Boolean));
 }
@@ -224,6 +233,7 @@ function drawTicks() {
   $("ticks").style.height = [...$("ticks").children].some(b => b.dataset.level === "1") ? "40px" : "";
 }
 function motionNote(l) {
+  if (spherical) return "";
   const seen = new Set(l.motions.flatMap(m => m.poses)), missing = poses.map((_, i) => i + 1).filter(i => !seen.has(i)).map(i => poseName(i - 1));
   if (!l.motions.length) return "No motion was sampled for this linkage; it is drawn in the task poses only.";
   return [l.motions.length > 1 ? "The poses are not all on one assembly circuit (sampled, not certified)." : "",
@@ -239,9 +249,11 @@ function select(id) {
   $("motion-note").textContent = note; $("motion-note").hidden = !note; $("motions").hidden = !many;
   $("motions").replaceChildren(...l.motions.map((m, k) => h("button", { type: "button", "data-k": k, onclick: () => { play(false); setMotion(k); } },
     `${m.poses.length === 1 ? "pose" : "poses"} ${m.poses.map(i => poseName(i - 1)).join(", ")}`)));
-  const facts = lengths(info).map(([k, v]) => `${k} ${format(v)}`).join(", ");
+  const facts = lengths(info).map(([k, v]) => `${k} ${format(v)}${spherical ? angleUnit() : ""}`).join(", ");
   $("cap-linkage").replaceChildren(h("b", {}, "Figure 2. "), `Linkage ${id}: ${kind(info)}, of dyads ${info.dyads.join(" and ")}`, facts ? `; ${facts}. ` : ". ",
-    "Ghosts in colour: the linkage in the task poses. Thin curve: path of the origin of the moving frame.", info.verdict ? ` ${info.verdict}.` : "");
+    spherical ? "Strong: pose 1; thin: the other poses. Amber: task attitudes, red: the coupler and its attitudes. Dotted: path of the moving x axis. Drag to turn."
+      : "Ghosts in colour: the linkage in the task poses. Thin curve: path of the origin of the moving frame.", info.verdict ? ` ${info.verdict}.` : "");
+  if (spherical) view2.aim(spheres.get(id).views[0]);
   view2.fit(view2.fits.fit()); setMotion(0);
   return true;
 }
@@ -283,17 +295,20 @@ function reach(d) {
   return isNumber(d.length) ? h("span", {}, number(d.length), d.slider ? h("span", { class: "sub" }, `nearly the slider ${d.slider.type}`) : "")
     : isNumber(d.angle) ? h("span", {}, "coupler kept at ", number(d.angle, 6, angleUnit())) : null;
 }
+const angles = list => h("span", { class: "num" }, list.map(v => format(units.angle === "rad" ? v * Math.PI / 180 : v) + angleUnit()).join(", "));
+const pivot = p => spherical && Array.isArray(p) ? h("span", {}, point(p), h("span", { class: "sub" }, "longitude, latitude ", angles(sphereTools.place(p)))) : point(p);
 function fillTables() {
   const small = (v, digits) => isNumber(v) ? number(v, digits) : null, given = (result.poses || []).map((p, i) => ({ p, name: poseName(i) }));
   table("table-dyads", "Dyads", [
     col("Dyad", d => String(d.id)), col("Type", d => h("span", { title: TYPES[d.type] }, d.type)),
-    col("Fixed pivot", d => point(d.fixed)), col("Moving pivot", d => point(d.moving)), col("Length or line", reach),
+    col(spherical ? "Fixed axis" : "Fixed pivot", d => pivot(d.fixed)), col(spherical ? "Moving axis" : "Moving pivot", d => pivot(d.moving)),
+    col(spherical ? "Arc" : "Length or line", reach),
     col("Residual", d => small(d.residual, 2), true), col("Condition", d => small(d.condition, 3), true),
     col("Certificate", certificate), col("", d => copier(d, `dyad ${d.id}`), true),
   ], dyads, d => ({ "data-dyad": d.id, ...hover([d.id]) }));
   const link = key => col(key[0].toUpperCase() + key.slice(1), l => small(Object.fromEntries(lengths(l))[key]), true);
   const show = l => { select(l.id); $("linkages").scrollIntoView({ block: "start" }); };
-  table("table-linkages", "Link lengths", [
+  table("table-linkages", spherical ? `Link arcs (${units.angle})` : "Link lengths", [
     col("Linkage", l => drawn.has(l.id) ? h("button", { type: "button", class: "id", title: "Show in figure 2", onclick: () => show(l) }, String(l.id)) : String(l.id)),
     col("Type", l => l.type), col("Class", l => l.class || null), col("Dyads", l => l.dyads.join(", ")),
     ...["ground", "input", "coupler", "output", "offset"].map(link), col("Verdict", l => l.verdict || null),
@@ -302,7 +317,8 @@ function fillTables() {
   table("table-poses", "Task poses", [
     col("Pose", r => r.name), col("x", r => small(r.p.x), true), col("y", r => small(r.p.y), true),
     col("Angle", r => isNumber(r.p.angle) ? number(r.p.angle, 6, angleUnit()) : null, true),
-    col("Quaternion (w, x, y, z)", r => point(r.p.quaternion_wxyz)), col("", r => copier(r.p, `pose ${r.name}`), true),
+    col("Quaternion (w, x, y, z)", r => point(r.p.quaternion_wxyz)),
+    col("Longitude, latitude, roll of the moving x axis", r => r.p.quaternion_wxyz ? angles(sphereTools.globeAngles(r.p.quaternion_wxyz)) : null), col("", r => copier(r.p, `pose ${r.name}`), true),
   ], given, () => ({}));
 }
 const roundedUp = x => { const unit = 10 ** (Math.floor(Math.log10(x)) - 1); return x > 0 ? Math.ceil(x / unit) * unit : x; };  // to two digits
@@ -311,6 +327,7 @@ function certificate(d) {
   return c.certified ? h("span", { class: "num", title: `within ${c.radius} of the true dyad` }, isNumber(c.radius) ? `proved, ±${format(roundedUp(c.radius), 2)}` : "proved") : "not proved";
 }
 function thumbnail(l) {
+  if (spherical) return sphereTools.thumbnail(spheres.get(l.id), t => t.pose <= 1 && t.role !== "path");
   const svg = s("svg", { class: "thumb", viewBox: "0 0 96 88", "aria-hidden": "true" }), shot = l.at_pose[0];
   if (!shot) return svg;
   const b = boxOf(l.parts.filter(p => p.role !== "guide").flatMap(p => shot[p.k] || [])), scale = Math.min(72 / (b[2] - b[0] || 1e-9), 64 / (b[3] - b[1] || 1e-9));
@@ -323,7 +340,7 @@ function card(info) {
   return h("button", { type: "button", class: "card", "data-id": info.id, "aria-pressed": "false", "aria-label": `Linkage ${info.id}, ${kind(info)}`,
     onclick: () => select(info.id), ...hover(info.dyads, info.id) }, thumbnail(drawn.get(info.id)),
   h("span", {}, h("b", {}, `${info.id}. ${info.type}`), h("span", { class: "kind" }, info.class || `dyads ${info.dyads.join(", ")}`),
-    h("span", { class: "lengths" }, lengths(info).map(([k, v]) => [h("span", {}, k), h("span", { title: v }, format(v))])), flag));
+    h("span", { class: "lengths" }, lengths(info).map(([k, v]) => [h("span", {}, k), h("span", { title: v }, format(v) + (spherical ? angleUnit() : ""))])), flag));
 }
 function dyadWords() {
   const n = result.solutions || {}, best = result.status === "approximate" ? "real best-fit dyad" : "real dyad", list = [];
@@ -345,7 +362,9 @@ function fillHead() {
   const w = (result.warnings || []).map(x => typeof x === "string" ? x : x.message || JSON.stringify(x));
   $("warnings").hidden = !w.length;
   $("warnings").append(w.length > 1 ? h("ul", {}, w.map(x => h("li", {}, x))) : h("p", {}, w[0] || ""));
-  $("cap-poses").append(h("b", {}, "Figure 1. "), "The moving frame in the task poses; full arrowhead: x axis, open: y axis.",
+  if (spherical) $("cap-poses").append(h("b", {}, "Figure 1. "), "The task attitudes: a dot where the moving x axis pierces the unit sphere, full arrowhead towards the y axis, open towards the z axis. Far side dashed. Drag to turn.",
+    curves.length ? " Curves: fixed axes (solid) and moving axes as they lie in pose 1 (dashed)." : "");
+  else $("cap-poses").append(h("b", {}, "Figure 1. "), "The moving frame in the task poses; full arrowhead: x axis, open: y axis.",
     dyads.some(planar) ? " With “dyads” ticked: every dyad in pose 1, its moving pivot in all poses." : "",
     curves.length ? " Curves: fixed pivots (solid) and moving pivots as they lie in pose 1 (dashed)." : "");
 }
@@ -363,14 +382,28 @@ function fillEmpty() {
 
 // ---- set-up ---------------------------------------------------------------------------------------------------
 const reachBox = () => boxOf([...poses.map(p => p.origin), ...dyads.filter(planar).flatMap(dyadPoints)], 0.06);
-const view1 = new View($("svg-poses"), drawPoses, { fit: poseBox, fit2: reachBox }, 46);
-const view2 = new View($("svg-linkage"), drawLinkage, { fit: () => (current() && current().window) || poseBox(), fit2: poseBox }, 56);
+const view1 = spherical ? new sphereTools.Globe($("svg-poses"), drawPoses) : new View($("svg-poses"), drawPoses, { fit: poseBox, fit2: reachBox }, 46);
+const view2 = spherical ? new sphereTools.Globe($("svg-linkage"), drawLinkage) : new View($("svg-linkage"), drawLinkage, { fit: () => (current() && current().window) || poseBox(), fit2: poseBox }, 56);
+function setUpSpheres() {   // buttons for the views instead of fitting
+  for (const id of ["show-dyads-label", "show-pivots-label"]) $(id).hidden = true;
+  const buttons = (view, id) => spheres.get(id()).views.map((v, k) => h("button", { type: "button", title: `Look ${v.name}`,
+    onclick: () => { view.aim(spheres.get(id()).views[k]); view.fit(); } }, ["mean", "x", "y", "z"][k]));
+  for (const g of document.querySelectorAll(".group")) {
+    const first = g.dataset.view === "poses", id = () => first ? 0 : state.id || 0;
+    for (const b of g.querySelectorAll("[data-act^=fit]")) b.remove();
+    g.append(...buttons(first ? view1 : view2, id));
+  }
+  for (const [svg, name] of [["svg-poses", "Task attitudes"], ["svg-linkage", "The selected linkage"]])
+    $(svg).setAttribute("aria-label", `${name} on the unit sphere. Arrow keys turn, plus and minus zoom, 0 fits.`);
+  view1.aim(spheres.get(0).views[0]);
+}
 function setUp() {
+  if (spherical) setUpSpheres();
   fillHead(); fillEmpty(); fillTables();
-  $("fig-poses").hidden = !poses.length; document.querySelector(".lead").classList.toggle("alone", !poses.length);
+  const figure = spherical || poses.length > 0; $("fig-poses").hidden = !figure; document.querySelector(".lead").classList.toggle("alone", !figure);
   $("show-curves-label").hidden = !curves.length;
   $("cards").append(...linkages.filter(l => drawn.has(l.id)).map(card));
-  $("svg-linkage").append(layer.back, layer.live);
+  if (!spherical) $("svg-linkage").append(layer.back, layer.live);
   $("download").addEventListener("click", download); $("copy-result").addEventListener("click", () => copy(result, "result"));
   $("play").addEventListener("click", () => play(!state.playing));
   $("slider").addEventListener("input", e => { play(false); setPosition(+e.target.value); });

@@ -63,6 +63,24 @@ json linkage_of(const LinkageDrawing& linkage) {
           {"window", {rounded(w[0]), rounded(w[1]), rounded(w[2]), rounded(w[3])}}};
 }
 
+json sphere_of(const SphereDrawing& sphere) {
+  const Rounding rounded(1);
+  json strokes = json::array(), views = json::array();
+  for (const SphereStroke& s : sphere.strokes) {
+    json points = json::array();
+    for (const auto& p : s.points) points.push_back({rounded(p[0]), rounded(p[1]), rounded(p[2])});
+    strokes.push_back({{"role", s.role},
+                       {"label", s.label},
+                       {"dyad", s.dyad},
+                       {"pose", s.pose},
+                       {"closed", s.closed},
+                       {"points", points}});
+  }
+  for (const SphereView& v : sphere.views)
+    views.push_back({{"name", v.name}, {"right", v.right}, {"up", v.up}, {"towards", v.towards}});
+  return {{"linkage", sphere.linkage}, {"strokes", strokes}, {"views", views}};
+}
+
 /// Inside a script element no text may close it or open a comment.
 std::string for_script(std::string text) {
   for (std::size_t at = 0; (at = text.find('<', at)) != text.npos; at += 6) text.replace(at, 1, "\\u003c");
@@ -78,17 +96,19 @@ void fill(std::string& page, std::string_view placeholder, std::string_view text
 }  // namespace
 
 json drawing_document(const Drawing& drawing) {
-  json poses = json::array(), linkages = json::array();
+  json poses = json::array(), linkages = json::array(), spheres = json::array();
   for (const PoseDrawing& pose : drawing.poses)
     poses.push_back(
         {{"label", pose.label}, {"origin", pose.origin}, {"x_axis", pose.x_axis}, {"y_axis", pose.y_axis}});
   for (const LinkageDrawing& linkage : drawing.linkages) linkages.push_back(linkage_of(linkage));
-  return {{"poses", poses}, {"linkages", linkages}};
+  for (const SphereDrawing& sphere : drawing.spheres) spheres.push_back(sphere_of(sphere));
+  return {{"poses", poses}, {"linkages", linkages}, {"spheres", spheres}};
 }
 
 std::string report_page(const json& result, const Drawing& drawing) {
   std::string page(page_html);
   fill(page, "/*BURMESTER_CSS*/", page_css);
+  fill(page, "/*BURMESTER_SPHERE_JS*/", page_sphere_js);
   fill(page, "/*BURMESTER_JS*/", page_js);
   fill(page, "/*BURMESTER_DATA*/",
        for_script(json_line({{"result", result}, {"drawing", drawing_document(drawing)}})));

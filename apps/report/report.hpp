@@ -9,8 +9,8 @@
 
 namespace burmester {
 
-/// A drawing as the page reads it: {"poses": [..], "linkages": [..]}, coordinates rounded to a millionth of
-/// the figure.
+/// A drawing as the page reads it: {"poses": [..], "linkages": [..], "spheres": [..]}, coordinates rounded to
+/// a millionth of the figure.
 nlohmann::ordered_json drawing_document(const Drawing& drawing);
 
 /// `result`: the result document.

@@ -43,14 +43,13 @@ class Svg {
              std::string_view label);
   void axes();
   void ground(const Point2& placed);
+  void arrow(const Point2& placed, const Point2& direction, double length, std::string_view colour, bool open);
   /// A straight guide through the window, hatched below where it belongs to the ground.
   void guide(const Point2& a, const Point2& b, bool hatched, std::string_view colour);
 
   std::string finish() const;
 
  private:
-  void arrow(const Point2& from, const Point2& direction, double length, std::string_view colour, bool open);
-
   std::array<double, 4> window_;
   double scale_ = 1, width_ = 0, height_ = 0;
   std::string title_, body_;

@@ -1,4 +1,5 @@
-// Drawings: polylines in a plane, with roles instead of colours. Pages and figures decide how a role looks.
+// Drawings: polylines in a plane or on the unit sphere, with roles instead of colours. Pages and figures decide how a
+// role looks.
 #pragma once
 
 #include <array>
@@ -42,9 +43,35 @@ struct PoseDrawing {
   std::array<double, 2> origin{}, x_axis{}, y_axis{};  ///< axes: unit vectors of the moving frame
 };
 
+/// A polyline on the unit sphere. `role` is one of: ground, link, coupler, guide, block, fixed_axis, moving_axis (single
+/// points); task, body (an attitude that is asked for, one that the coupler takes: y tip, x axis, z tip of the moving
+/// frame, as they pierce the sphere or point from there); path (of the moving x axis), fixed_curve, moving_curve.
+struct SphereStroke {
+  std::string role;
+  std::string label{};
+  int dyad = 0;  ///< id of the dyad it belongs to, 0 for none
+  int pose = 0;  ///< the pose, counted from 1, that it is drawn in; 0: in all
+  bool closed = false;
+  std::vector<std::array<double, 3>> points{};
+};
+
+/// An orthographic view: three orthogonal unit vectors.
+struct SphereView {
+  std::string name;
+  std::array<double, 3> right{}, up{}, towards{};  ///< `towards`: from the centre to the eye
+};
+
+struct SphereDrawing {
+  int linkage = 0;  ///< id; 0: the task and its curves
+  std::vector<SphereStroke> strokes;
+  std::vector<SphereView> views;
+};
+
+/// Geometries fill `poses` and `linkages`, or `spheres`.
 struct Drawing {
   std::vector<PoseDrawing> poses;
   std::vector<LinkageDrawing> linkages;
+  std::vector<SphereDrawing> spheres = {};
 };
 
 }  // namespace burmester

@@ -45,10 +45,28 @@ class ReportPage(ProgramTest):
         return elements, result
 
     def test_examples(self):
-        for name in ("mech576_five_poses", "hayes_2004_rrrp_exact", "hayes_2002_five_positions"):
+        for name in ("mech576_five_poses", "hayes_2004_rrrp_exact", "hayes_2002_five_positions", "angeles_bai_1", "angeles_bai_2_exact"):
             with self.subTest(example=name):
                 elements, result = self.check(example(name))
                 self.assertIn(f'<h1 id="name">{result["name"]}</h1>', elements)
+
+    def test_the_sphere_turns(self):
+        self.assertEqual(run("synthesize", example("angeles_bai_2_exact"), "-o", self.folder).returncode, 0)
+        page = os.path.join(self.folder, "report.html")
+        with open(page) as file:
+            text = file.read()
+        pictures = []
+        for key in ("x", "ArrowLeft"):  # one that means nothing, one that turns
+            press = f"""<script>document.getElementById("svg-linkage").dispatchEvent(new KeyboardEvent("keydown", {{key: "{key}"}}));</script></body>"""
+            with open(page, "w") as file:
+                file.write(text.replace("</body>", press))
+            elements, console = self.open(page)
+            self.assertEqual(console, [])
+            pictures.append(re.search(r'<svg id="svg-linkage".*?</svg>', elements, re.S).group())
+            for part in ("s-link", "s-guide", "s-block", "s-task", "s-body", "far"):
+                self.assertIn(part, pictures[-1])
+            self.assertNotIn("NaN", pictures[-1])
+        self.assertNotEqual(*pictures)
 
     def test_nothing_to_show(self):
         self.check(example("mech576_five_poses"), "--types", "PP")

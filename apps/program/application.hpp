@@ -1,0 +1,28 @@
+// What the program and the research apps share: how they end.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "program/console.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace burmester {
+
+/// A closed standard stream would lend its number to the next file that is opened: output would end up in that file.
+/// And a reader that leaves shall be noticed when writing. To be called first.
+void prepare_standard_streams();
+
+/// Runs the work of an application. What it throws becomes one line on the console's error stream and an exit code.
+int guarded(const std::string& name, Console& console, const std::function<int()>& work);
+
+/// Parses the arguments (without the application's own name), then runs the job. Help and version are printed; throws
+/// InputError for bad usage.
+int run_application(CLI::App& app, std::vector<std::string> arguments, Console& console,
+                    const std::function<int()>& job);
+
+}  // namespace burmester
