@@ -5,6 +5,7 @@
 #include "burmester/spherical/drawing.hpp"
 #include "burmester/spherical/family.hpp"
 #include "burmester/spherical/five_pose_solver.hpp"
+#include "burmester/spherical/linkage.hpp"
 #include "burmester/spherical/pose_format.hpp"
 
 namespace burmester::spherical {
@@ -57,7 +58,8 @@ class SphericalModule final : public Module {
 
   Synthesis synthesize(const Problem& problem) const override {
     const SphericalReport report = solve(problem, poses_of(problem));
-    return {report.status, report.message, report.counts, records_of(report), {}, report.warnings, report.curves};
+    return {report.status,   report.message, report.counts, records_of(report), linkages_of(report.dyads),
+            report.warnings, report.curves};
   }
   Drawing draw(const Problem& problem, const Synthesis& answer) const override {
     return draw_synthesis(problem, answer);
