@@ -54,4 +54,15 @@ struct CurvePiece {
   std::vector<Point2<double>> partners;  ///< of the points, one by one, if the curve has a partner
 };
 
+struct TracedCurve {
+  std::vector<CurvePiece> pieces;
+  bool complete = true;  ///< not so where a part that may be in the window could not be proved, and is not shown
+};
+
+/// A curve of points with their partners.
+struct PairedCurves {
+  CurveTopology topology;  ///< of the points; rung none: not available, `reason` says why
+  TracedCurve traced;
+};
+
 }  // namespace burmester

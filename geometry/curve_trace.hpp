@@ -9,7 +9,6 @@
 
 #include <array>
 #include <optional>
-#include <vector>
 
 #include "burmester/geometry/correlations.hpp"
 #include "burmester/geometry/cubic_branches.hpp"
@@ -29,11 +28,6 @@ struct PartnerCurve {
   std::array<Correlation<double>, 3> approximate;
   std::array<Correlation<Interval>, 3> enclosing;
   TubeCurve curve;
-};
-
-struct TracedCurve {
-  std::vector<CurvePiece> pieces;
-  bool complete = true;  ///< not so where a part that may be in the window could not be proved, and is not shown
 };
 
 /// What the tube test needs of a cubic whose coefficients lie in intervals.

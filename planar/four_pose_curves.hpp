@@ -9,10 +9,8 @@
 #pragma once
 
 #include <span>
-#include <string>
-#include <vector>
 
-#include "burmester/geometry/curve.hpp"
+#include "burmester/modules/framework/curve_report.hpp"
 #include "burmester/planar/five_pose_solver.hpp"
 
 namespace burmester::planar {
@@ -26,11 +24,7 @@ struct CurveOptions {
   double window = 8;        ///< both pivots within this distance of pose 1's origin, along x and y
 };
 
-struct FourPoseCurves {
-  CurveTopology topology;           ///< of the circle-point curve; rung none: the poses are degenerate, `reason` says how
-  std::vector<CurveRecord> pieces;  ///< moving pivots in E, fixed pivots in S
-  bool complete = true;             ///< not so where a part in the window could not be proved, and is not shown
-};
+using burmester::FourPoseCurves;
 
 /// Preconditions as for five poses.
 FourPoseCurves four_pose_curves(FourPoses poses, const CurveOptions& options = {});

@@ -5,6 +5,7 @@
 #include "burmester/spherical/drawing.hpp"
 #include "burmester/spherical/family.hpp"
 #include "burmester/spherical/five_pose_solver.hpp"
+#include "burmester/spherical/four_pose_curves.hpp"
 #include "burmester/spherical/linkage.hpp"
 #include "burmester/spherical/pose_format.hpp"
 
@@ -21,7 +22,7 @@ ModuleInfo describe() {
   info.name = Space::name;
   info.origin = "built in";
   Dyads::for_each([&]<class D>() { info.dyad_types.push_back(D::name); });
-  info.solvers = describe_solvers<FivePoseSolver>();
+  info.solvers = describe_solvers<FourPoseSolver, FivePoseSolver>();
   info.type_aliases = {{"RP", "PR"}};  // a slider is its own inverse
   info.csv_headers = {{"qw", "qx", "qy", "qz"}};
   info.point_size = Space::feature_size;
@@ -31,10 +32,17 @@ ModuleInfo describe() {
 SphericalReport solve(const Problem& problem, std::span<const Pose> poses) {
   if (!problem.fixed.empty() || !problem.moving.empty())
     throw NotAvailable("spherical synthesis for given fixed or moving axes");
-  if (poses.size() != 5)
-    throw NotAvailable(fmt::format("spherical synthesis for {} poses (this version solves five)", poses.size()));
-  SphericalReport report = FivePoseSolver{.certify = problem.certify}.solve(poses);
-  if (!problem.near.empty()) report.warnings.push_back("near: only four poses leave a choice; ignored");
+  SphericalReport report;
+  if (poses.size() == 5) {
+    report = FivePoseSolver{.certify = problem.certify}.solve(poses);
+    if (!problem.near.empty()) report.warnings.push_back("near: only four poses leave a choice; ignored");
+  } else if (poses.size() == 4) {
+    if (!problem.near.empty()) throw NotAvailable("dyads near given axes of the cone of four orientations");
+    report = FourPoseSolver().solve(poses);
+  } else {
+    throw NotAvailable(
+        fmt::format("spherical synthesis for {} orientations (this version solves four and five)", poses.size()));
+  }
   if (!problem.weights.empty()) report.warnings.push_back("weights: up to five poses are met exactly; ignored");
   return report;
 }

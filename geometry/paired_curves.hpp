@@ -1,0 +1,31 @@
+// The curve of the points that have a partner under three correlations, and the curve of the partners: topology and
+// polylines in one call. Only for targets that compile intervals.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <optional>
+
+#include "burmester/geometry/curve_trace.hpp"
+
+namespace burmester {
+
+template <class T>
+using ThreeCorrelations = std::array<Correlation<T>, 3>;
+
+/// The same three correlations, each of rank two or zero, in the two number types that decide.
+struct DecidingCorrelations {
+  std::function<ThreeCorrelations<Interval>()> intervals;  ///< called below an UpwardRounding
+  std::function<ThreeCorrelations<Rational>()> rationals;  ///< exact; called where the intervals do not tell
+};
+
+/// trace_in_plane or trace_on_sphere
+using TraceCurve = TracedCurve (&)(const CubicBranches&, const TubeCurve&, const std::optional<PartnerCurve>&,
+                                   const TraceOptions&);
+
+/// The curves are seen from a vertex of one of the correlations, or from a point between two of them. No answer where
+/// every point has a partner, or where a line of such points counts more than once. Throws std::invalid_argument for
+/// options that are not positive.
+PairedCurves paired_curves(const DecidingCorrelations& correlations, TraceCurve trace, const TraceOptions& options);
+
+}  // namespace burmester

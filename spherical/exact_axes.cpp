@@ -1,0 +1,116 @@
+#include "burmester/spherical/exact_axes.hpp"
+
+#include "burmester/geometry/real_roots.hpp"
+
+namespace burmester::spherical {
+namespace {
+
+using Box = Vector<RationalInterval, 3>;
+
+/// C as polynomials in t = u1 / u0.
+using MinorPolynomials = std::array<std::array<Polynomial<Rational>, 4>, 4>;
+
+Box cross(const Box& a, const Box& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+RationalInterval dot(const Box& a, const Box& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+double size_of(const Box& a) {
+  double size = 0;
+  for (const RationalInterval& x : a) size = std::max(size, std::abs(approximate(x)));
+  return size;
+}
+
+bool is_narrow(const Box& a) {
+  static const Rational narrow(0x1p-60);
+  Rational size(0), width(0);
+  for (const RationalInterval& x : a) {
+    size = std::max(size, Rational(abs(Rational(x.low() + x.high())) / 2));
+    width = std::max(width, Rational(x.high() - x.low()));
+  }
+  return width < narrow * size;
+}
+
+/// An interval around x whose ends are multiples of 2^-bits: short numbers again.
+RationalInterval rounded(const RationalInterval& x, int bits) {
+  const Integer unit = Integer(1) << bits;
+  const auto truncated = [&](const Rational& end) -> Integer { return (numerator(end) << bits) / denominator(end); };
+  return {Rational(truncated(x.low()) - 1, unit), Rational(truncated(x.high()) + 1, unit)};
+}
+Box rounded(const Box& a, int bits) { return {rounded(a[0], bits), rounded(a[1], bits), rounded(a[2], bits)}; }
+
+/// (1 : s) of the kernel (1, s, s^2, s^3) of C, which is unique where some 3 x 3 minor is not zero.
+std::optional<std::array<RationalInterval, 2>> kernel(const MinorPolynomials& forms, const RationalInterval& t,
+                                                      int bits) {
+  std::array<std::array<RationalInterval, 4>, 4> c;
+  for (std::size_t j = 0; j < 4; ++j)
+    for (std::size_t k = 0; k < 4; ++k) c[j][k] = rounded(forms[j][k](t), bits);
+  std::optional<std::array<RationalInterval, 2>> best;
+  for (std::size_t left_out = 0; left_out < 4; ++left_out) {
+    const auto column = [&](std::size_t k) -> Box {
+      return {c[(left_out + 1) % 4][k], c[(left_out + 2) % 4][k], c[(left_out + 3) % 4][k]};
+    };
+    const Box last = cross(column(2), column(3));
+    const RationalInterval one = dot(column(1), last);
+    if (contains_zero(one)) continue;
+    if (!best || std::abs(approximate(one)) > std::abs(approximate((*best)[0]))) best = {one, -dot(column(0), last)};
+  }
+  return best;
+}
+
+/// b' with a^T N_j b' = 0 for all j: orthogonal to two of the rows.
+Box kernel(const Bilinear<Rational>& n, const Box& a) {
+  std::array<Box, 4> row;
+  for (std::size_t j = 0; j < 4; ++j)
+    for (int k = 0; k < 3; ++k)
+      row[j][k] = dot(a, {RationalInterval(n[j](0, k)), RationalInterval(n[j](1, k)), RationalInterval(n[j](2, k))});
+  Box best = cross(row[0], row[1]);
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = i + 1; j < 4; ++j)
+      if (const Box b = cross(row[i], row[j]); size_of(b) > size_of(best)) best = b;
+  return best;
+}
+
+/// Nothing where the boxes do not become narrow: two solutions lie behind each other in this chart.
+std::optional<EnclosedAxes> axes_at(RealRoot& t, const Chart& chart, const MinorPolynomials& forms,
+                                    const Bilinear<Rational>& n) {
+  for (int bits = 128; bits <= 1024; bits *= 2) {
+    t.refine(Rational(1, Integer(1) << bits));
+    const RationalInterval at = rounded(t.bounds(), bits);
+    const auto k = kernel(forms, at, bits);
+    if (!k) continue;
+    const auto& [one, s] = *k;
+    EnclosedAxes out{rounded(from_chart<RationalInterval>(chart, {one, one * at, s}), 2 * bits), {}, t.multiplicity()};
+    out.fixed = kernel(n, out.moving);
+    if (is_narrow(out.moving) && is_narrow(out.fixed)) return out;
+  }
+  return std::nullopt;
+}
+
+/// Nothing where the chart hides something: a root at infinity, a solution at its centre, two solutions behind each
+/// other.
+std::optional<std::vector<EnclosedAxes>> axes_in(const Chart& chart, const Bilinear<Rational>& n) {
+  const MinorForms<Rational> forms = minor_forms(in_chart(n, chart));
+  const Polynomial<Rational> f(sextic(forms).coefficients());
+  if (f.degree() < 6) return std::nullopt;
+  MinorPolynomials polynomials;
+  for (std::size_t j = 0; j < 4; ++j)
+    for (std::size_t k = 0; k < 4; ++k) polynomials[j][k] = Polynomial<Rational>(forms[j][k].coefficients());
+  std::vector<EnclosedAxes> out;
+  for (RealRoot& root : real_roots_exactly(f)) {
+    const auto axes = axes_at(root, chart, polynomials, n);
+    if (!axes) return std::nullopt;
+    out.push_back(*axes);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::optional<std::vector<EnclosedAxes>> exact_axes(const Bilinear<Rational>& equations) {
+  for (const Chart& chart : charts)
+    if (auto axes = axes_in(chart, equations)) return axes;
+  return std::nullopt;
+}
+
+}  // namespace burmester::spherical

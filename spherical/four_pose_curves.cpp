@@ -1,0 +1,91 @@
+#include "burmester/spherical/four_pose_curves.hpp"
+
+#include <fmt/format.h>
+
+#include <cassert>
+
+#include "burmester/geometry/paired_curves.hpp"
+#include "burmester/spherical/equal_angles.hpp"
+
+namespace burmester::spherical {
+namespace {
+
+/// Axes in E, and in S turned back by a reference pose.
+class Task {
+ public:
+  explicit Task(FourPoses poses) : poses_(poses), reference_(static_cast<std::size_t>(reference_of(poses))) {}
+
+  static double length() { return 1; }
+  template <class T>
+  ThreeCorrelations<T> correlations() const {
+    ThreeCorrelations<T> n;
+    for (std::size_t j = 0, k = 0; j < 4; ++j)
+      if (j != reference_) n[k++] = equal_angles(relative_rotation<T>(poses_[reference_], poses_[j]));
+    return n;
+  }
+  static Axis moving(const Point2<double>& a) { return a.normalized(); }
+  Axis fixed(const Point2<double>& b) const {
+    return Space::act<double>(Space::point<double>(poses_[reference_]), b).normalized();
+  }
+
+ private:
+  FourPoses poses_;
+  std::size_t reference_;
+};
+
+constexpr CurveWords words{"great circle", "quadric cone"};
+
+bool equal(const Quaternion<Rational>& turn) { return turn[1] == 0 && turn[2] == 0 && turn[3] == 0; }
+
+bool same_axis(const Quaternion<Rational>& a, const Quaternion<Rational>& b) {
+  return a[1] * b[2] == a[2] * b[1] && a[2] * b[3] == a[3] * b[2] && a[3] * b[1] == a[1] * b[3];
+}
+
+/// The two ways in which every axis becomes a circle axis, told exactly.
+std::string degeneracy_of(FourPoses poses) {
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = i + 1; j < 4; ++j)
+      if (equal(relative_rotation<Rational>(poses[i], poses[j])))
+        return fmt::format("orientations {} and {} are equal", i + 1, j + 1);
+  const auto turn = [&](std::size_t j) { return relative_rotation<Rational>(poses[0], poses[j]); };
+  if (same_axis(turn(1), turn(2)) && same_axis(turn(1), turn(3))) return "all rotations have one axis";
+  return {};
+}
+
+void add_sliders(FourPoses poses, SphericalReport& report) {
+  const auto found = sliders(poses);
+  if (!found) {
+    report.message += "; infinitely many of them are sliders";
+    return;
+  }
+  report.message += found->empty() ? "; none of them a slider"
+                                   : fmt::format("; {} slider{}", found->size(), found->size() == 1 ? "" : "s");
+  for (const auto& [slider, multiplicity] : *found) {
+    report.dyads.push_back(slider);
+    if (multiplicity > 1) report.warnings.push_back(fmt::format("{} sliders coincide", multiplicity));
+  }
+}
+
+}  // namespace
+
+FourPoseCurves four_pose_curves(FourPoses poses, const CurveOptions& options) {
+  const Task task(poses);
+  PairedCurves curves =
+      paired_curves({[&] { return task.correlations<Interval>(); }, [&] { return task.correlations<Rational>(); }},
+                    trace_on_sphere, {.tolerance = options.tolerance, .longest = options.longest});
+  if (curves.topology.rung == Rung::none)
+    if (const std::string why = degeneracy_of(poses); !why.empty()) curves.topology.reason = why;
+  return curves_in_frames(curves, task);
+}
+
+SphericalReport FourPoseSolver::solve(std::span<const Pose> poses) const {
+  assert(poses.size() == 4);
+  const FourPoses four = poses.first<4>();
+  SphericalReport report = curve_report<Dyads>(four_pose_curves(four), words);
+  if (report.status == Status::family) add_sliders(four, report);
+  return report;
+}
+
+static_assert(Solver<FourPoseSolver>);
+
+}  // namespace burmester::spherical

@@ -1,0 +1,28 @@
+// The sliders of four orientations: up to six pairs of axes at right angles in all four.
+//
+//     b . Q_j a = 0,   j = 1 .. 4
+// (equations 13 to 15 of J. Angeles, S. Bai, "A robust solution of the spherical Burmester problem", for four attitudes):
+// four bilinear equations, the 4 x 3 matrix with the rows a^T Q_j^T has rank two or less. So they are solved like the
+// dyads of five orientations (five_pose_sextic.hpp), over rationals: all real ones, enclosed and counted exactly.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "burmester/modules/framework/report.hpp"
+#include "burmester/spherical/dyads.hpp"
+
+namespace burmester::spherical {
+
+using FourPoses = std::span<const Pose, 4>;
+
+struct FoundSlider {
+  Found<Dyads::Design> slider;  ///< with its certificate
+  int multiplicity = 1;         ///< so many sliders over the complex numbers coincide here
+};
+
+/// All different real sliders, proved; nothing where there are infinitely many.
+std::optional<std::vector<FoundSlider>> sliders(FourPoses poses);
+
+}  // namespace burmester::spherical

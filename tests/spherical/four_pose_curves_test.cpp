@@ -1,0 +1,253 @@
+// The cones of four orientations: every pair of axes meets the poses, nothing is missed, no seam is seen.
+#include "burmester/spherical/four_pose_curves.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "burmester/spherical/equal_angles.hpp"
+
+namespace burmester::spherical {
+namespace {
+
+using FourPoseTask = std::array<Pose, 4>;
+using ImagePoint = Space::Point<double>;
+
+FourPoseTask random_task(Random& random) {
+  FourPoseTask task;
+  for (Pose& p : task) p = Space::random_pose(random);
+  return task;
+}
+
+ImagePoint point(const Pose& pose) { return Space::point<double>(pose); }
+Pose product(const Pose& a, const Pose& b) { return Space::pose(Space::product<double>(point(a), point(b))); }
+Pose inverse(const Pose& a) { return Space::pose(Space::conjugate<double>(point(a))); }
+Axis placed(const Pose& pose, const Axis& a) { return Space::act<double>(point(pose), a).normalized(); }
+Axis axis_of(const std::vector<double>& a) { return {a[0], a[1], a[2]}; }
+Axis turn_axis(const Pose& pose) { return Axis(pose.x, pose.y, pose.z).normalized(); }
+
+double distance_to_chord(const Axis& p, const Axis& a, const Axis& b) {
+  const Axis d = b - a;
+  const double t = std::clamp(d.dot(p - a) / d.squaredNorm(), 0.0, 1.0);
+  return (p - a - t * d).norm();
+}
+
+/// Distance of an axis from the polylines, moving or fixed, less their errors and the height of their chords.
+double distance(const Axis& p, const std::vector<CurveRecord>& curves, bool moving) {
+  double best = 2;
+  for (const CurveRecord& curve : curves) {
+    const auto& points = moving ? curve.moving : curve.fixed;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const Axis a = axis_of(points[k]), b = axis_of(points[(k + 1) % points.size()]);
+      const double allowed = curve.max_error + (b - a).squaredNorm() / 7;  // 1 - cos(chord / 2) and a little
+      best = std::min({best, distance_to_chord(p, a, b) - allowed, distance_to_chord(-p, a, b) - allowed});
+    }
+  }
+  return best;
+}
+
+/// How far the arc between the axes changes over the poses.
+double change_of_arc(const FourPoseTask& task, const Axis& a, const Axis& b) {
+  double least = 4, largest = 0;
+  for (const Pose& pose : task) {
+    const double arc = Space::distance(placed(pose, a), b);
+    least = std::min(least, arc), largest = std::max(largest, arc);
+  }
+  return largest - least;
+}
+
+TEST(SphericalFourPoseCurves, PairedAxesKeepTheirArcAndMakeClosedCurves) {
+  Random random("SphericalFourPoseCurves.PairedAxesKeepTheirArcAndMakeClosedCurves");
+  int pairs = 0;
+  double worst = 0;
+  for (int i = 0; i < 300; ++i) {
+    const FourPoseTask task = random_task(random);
+    const FourPoseCurves curves = four_pose_curves(task, {1e-3, 0.2});
+    ASSERT_NE(curves.topology.rung, Rung::none) << i;
+    ASSERT_TRUE(curves.complete) << i;
+    ASSERT_EQ(static_cast<int>(curves.pieces.size()), curves.topology.components) << i;
+    for (const CurveRecord& piece : curves.pieces) {
+      EXPECT_TRUE(piece.closed) << i;
+      EXPECT_LT(piece.max_error, 1.01e-3) << i;
+      ASSERT_EQ(piece.moving.size(), piece.fixed.size()) << i;
+      for (std::size_t k = 0; k < piece.moving.size(); ++k, ++pairs) {
+        const std::size_t next = (k + 1) % piece.moving.size();
+        const Axis a = axis_of(piece.moving[k]), b = axis_of(piece.fixed[k]);
+        const double change = change_of_arc(task, a, b);
+        worst = std::max(worst, change);
+        EXPECT_LT((axis_of(piece.moving[next]) - a).norm(), 0.2 + 1e-9) << i;
+        EXPECT_LT((axis_of(piece.fixed[next]) - b).norm(), 0.2 + 1e-9) << i;
+      }
+    }
+  }
+  EXPECT_GT(pairs, 20000);
+  EXPECT_LT(worst, 1e-12);
+}
+
+TEST(SphericalFourPoseCurves, TheAxesOfTheSixRelativeRotationsLieOnTheCones) {
+  Random random("SphericalFourPoseCurves.TheAxesOfTheSixRelativeRotationsLieOnTheCones");
+  for (int i = 0; i < 100; ++i) {
+    const FourPoseTask task = random_task(random);
+    const FourPoseCurves curves = four_pose_curves(task);
+    for (std::size_t j = 0; j < 4; ++j)
+      for (std::size_t k = j + 1; k < 4; ++k) {
+        EXPECT_LT(distance(turn_axis(product(inverse(task[j]), task[k])), curves.pieces, true), 1e-12) << i;
+        EXPECT_LT(distance(turn_axis(product(task[k], inverse(task[j]))), curves.pieces, false), 1e-12) << i;
+      }
+  }
+}
+
+/// The places of a circle axis, found without any cubic: those where an arc of a great circle crosses the cone.
+/// det(c1, c2, c3) of equation 10 along the arc from p to q.
+double determinant(const FourPoseTask& task, const Axis& a) {
+  Eigen::Matrix3d c;
+  for (int j = 0; j < 3; ++j) c.col(j) = placed(task[static_cast<std::size_t>(j) + 1], a) - placed(task[0], a);
+  return c.determinant();
+}
+
+TEST(SphericalFourPoseCurves, NoCrossingOfTheConeIsMissed) {
+  Random random("SphericalFourPoseCurves.NoCrossingOfTheConeIsMissed");
+  int crossings = 0;
+  for (int i = 0; i < 100; ++i) {
+    const FourPoseTask task = random_task(random);
+    const FourPoseCurves curves = four_pose_curves(task);
+    for (int n = 0; n < 20; ++n) {
+      Axis p = Space::random_feature(random), q = Space::random_feature(random);
+      if (determinant(task, p) * determinant(task, q) > 0) q = -q;  // the cone has odd degree
+      ASSERT_LE(determinant(task, p) * determinant(task, q), 0);
+      for (int bits = 0; bits < 52; ++bits) {
+        const Axis middle = (p + q).normalized();
+        (determinant(task, p) * determinant(task, middle) <= 0 ? q : p) = middle;
+      }
+      EXPECT_LT(distance(p, curves.pieces, true), 1e-9) << i;
+      ++crossings;
+    }
+  }
+  EXPECT_EQ(crossings, 2000);
+}
+
+/// Cones of the first four attitudes of example 1 of J. Angeles, S. Bai, "A robust solution of the spherical Burmester
+/// problem", equation 10, computed from the integer angles (the second latitude with the sign +6 deg, as its printed axis
+/// and angle have it) in 15 digits, the largest coefficient 1 or -1; in the order of geometry/cubic.hpp.
+const FourPoseTask example_1{pose_from_globe_degrees(0, 0, 0), pose_from_globe_degrees(-10, 6, 0),
+                             pose_from_globe_degrees(-51, -52, -12), pose_from_globe_degrees(15, -56, 47)};
+constexpr std::array<double, 10> circle_cone_1{
+    -0.2018955297479223, 0.35629112038002414,  0.475192522750446,    0.33600534482553857, 1,
+    -0.6883382698499058, -0.19980447101456247, -0.24639237176218604, 0.30562358787885713, -0.05521575656998964};
+constexpr std::array<double, 10> centre_cone_1{
+    0.31559931348194503,  0.9698817935535728,  0.32791608011545764,  -0.7532375724735616,
+    0.527165343553599,    -0.9543443919998701, -0.04871112938213091, -1,
+    -0.17560680521095753, 0.5195809887154452};
+
+void expect_cone(Cubic<double> ours, const std::array<double, 10>& published) {
+  std::size_t largest = 0;
+  for (std::size_t k = 0; k < 10; ++k)
+    if (std::abs(ours.c[k]) > std::abs(ours.c[largest])) largest = k;
+  const double scale = published[largest] / ours.c[largest];
+  for (std::size_t k = 0; k < 10; ++k) EXPECT_NEAR(scale * ours.c[k], published[k], 2e-14) << k;
+}
+
+TEST(SphericalFourPoseCurves, HaveTheConesOfExampleOne) {
+  std::array<Correlation<double>, 3> n, back;
+  for (std::size_t j = 0; j < 3; ++j) {
+    n[j] = equal_angles(relative_rotation<double>(example_1[0], example_1[j + 1]));
+    back[j] = n[j].transpose();
+  }
+  expect_cone(points_with_partner(n), circle_cone_1);
+  expect_cone(points_with_partner(back), centre_cone_1);
+  for (const CurveRecord& piece : four_pose_curves(example_1).pieces)
+    for (std::size_t k = 0; k < piece.moving.size(); ++k) {
+      EXPECT_LT(std::abs(Cubic<double>(circle_cone_1)(axis_of(piece.moving[k]))), 1e-14);
+      EXPECT_LT(std::abs(Cubic<double>(centre_cone_1)(axis_of(piece.fixed[k]))), 1e-14);
+    }
+}
+
+/// Every axis of one set of curves lies on the other, after both are brought into the same frames.
+void expect_same(const FourPoseCurves& got, const FourPoseCurves& expected, const Pose& moving, const Pose& fixed,
+                 bool exchanged = false) {
+  EXPECT_EQ(got.topology.components, expected.topology.components);
+  EXPECT_EQ(got.topology.ovals, expected.topology.ovals);
+  for (const CurveRecord& piece : got.pieces)
+    for (std::size_t k = 0; k < piece.moving.size(); k += 5) {
+      const Axis a = axis_of(piece.moving[k]), b = axis_of(piece.fixed[k]);
+      EXPECT_LT(distance(placed(moving, exchanged ? b : a), expected.pieces, true), 1e-10);
+      EXPECT_LT(distance(placed(fixed, exchanged ? a : b), expected.pieces, false), 1e-10);
+    }
+}
+
+TEST(SphericalFourPoseCurves, FollowTheFramesAndForgetOrderAndSign) {
+  Random random("SphericalFourPoseCurves.FollowTheFramesAndForgetOrderAndSign");
+  const Pose none;
+  for (int i = 0; i < 30; ++i) {
+    const FourPoseTask task = random_task(random);
+    const FourPoseCurves curves = four_pose_curves(task);
+    const Pose g = Space::random_pose(random), h = Space::random_pose(random);
+    FourPoseTask turned = task, ordered = task, negative = task, inverted = task;
+    for (Pose& p : turned) p = product(product(g, p), inverse(h));
+    std::reverse(ordered.begin(), ordered.end());
+    negative[1] = {-task[1].w, -task[1].x, -task[1].y, -task[1].z};
+    negative[3] = {-3 * task[3].w, -3 * task[3].x, -3 * task[3].y, -3 * task[3].z};  // the norm is free
+    for (Pose& p : inverted) p = inverse(p);
+    SCOPED_TRACE(i);
+    expect_same(four_pose_curves(turned), curves, inverse(h), inverse(g));
+    expect_same(four_pose_curves(ordered), curves, none, none);
+    expect_same(four_pose_curves(negative), curves, none, none);
+    expect_same(four_pose_curves(inverted), curves, none, none, true);
+  }
+}
+
+TEST(SphericalFourPoseCurves, StayProvedForOrientationsThatNearlyAgree) {
+  Random random("SphericalFourPoseCurves.StayProvedForOrientationsThatNearlyAgree");
+  for (int i = 0; i < 50; ++i) {
+    FourPoseTask task = random_task(random);
+    task[2] = Space::nudged(task[1], {1e-6 * random.normal(), 1e-6 * random.normal(), 1e-6 * random.normal()});
+    const FourPoseCurves curves = four_pose_curves(task);
+    EXPECT_NE(curves.topology.rung, Rung::none) << i;
+    EXPECT_FALSE(curves.pieces.empty()) << i;
+    EXPECT_LT(distance(turn_axis(product(inverse(task[0]), task[3])), curves.pieces, true), 1e-9) << i;
+  }
+}
+
+TEST(SphericalFourPoseCurves, DegenerateOrientationsAreNamed) {
+  const auto message = [](const FourPoseTask& task) {
+    const SphericalReport report = FourPoseSolver().solve(task);
+    EXPECT_EQ(report.status, Status::degenerate);
+    EXPECT_TRUE(report.curves.empty());
+    return report.message;
+  };
+  const Pose a, b = pose_from_axis_degrees({1, 2, 3}, 40), c = pose_from_axis_degrees({3, -1, 2}, 100);
+  EXPECT_EQ(message({a, b, {-2 * b.w, -2 * b.x, -2 * b.y, -2 * b.z}, c}),
+            "the circle-point curve degenerates: orientations 2 and 3 are equal");
+  const auto about_z = [](double w, double z) { return Pose{w, 0, 0, z}; };
+  EXPECT_EQ(message({about_z(1, 0), about_z(3, 1), about_z(2, 1), about_z(0, 1)}),
+            "the circle-point curve degenerates: all rotations have one axis");
+  // the same seen from other frames: small integers, so that products are exact
+  const Pose g{1, 2, -1, 3}, h{2, 0, 1, 1};
+  EXPECT_EQ(message({product(g, h), product(product(g, about_z(3, 1)), h), product(product(g, about_z(2, 1)), h),
+                     product(product(g, about_z(0, 1)), h)}),
+            "the circle-point curve degenerates: all rotations have one axis");
+}
+
+TEST(SphericalFourPoseCurves, HalfTurnsAreOrdinaryAndSymmetricSetsSplit) {
+  // half turns about three axes in general position
+  const SphericalReport half =
+      FourPoseSolver().solve(FourPoseTask{Pose{1, 0, 0, 0}, Pose{0, 1, 2, 3}, Pose{0, 3, -1, 2}, Pose{0, 1, 1, -2}});
+  EXPECT_EQ(half.status, Status::family) << half.message;
+  EXPECT_FALSE(half.curves.empty());
+  // half turns about three axes at right angles: xyz = 0, where every pole is a double point
+  const FourPoseTask klein{Pose{1, 0, 0, 0}, Pose{0, 1, 0, 0}, Pose{0, 0, 1, 0}, Pose{0, 0, 0, 1}};
+  const SphericalReport three = FourPoseSolver().solve(klein);
+  EXPECT_EQ(three.message,
+            "a curve of dyads: circle points and centre points, split into 3 great circles, in 1 component, proved");
+  for (const CurveRecord& piece : three.curves)
+    for (const std::vector<double>& a : piece.moving) EXPECT_LT(std::abs(a[0] * a[1] * a[2]), 1e-15);
+  // mirror images of each other in pairs: a great circle and a cone
+  const FourPoseTask mirrored{Pose{3, 1, 2, 0}, Pose{3, -1, 2, 0}, Pose{5, 1, -1, 2}, Pose{5, -1, -1, -2}};
+  const SphericalReport split = FourPoseSolver().solve(mirrored);
+  EXPECT_NE(split.message.find("split into 1 great circle and a quadric cone"), std::string::npos) << split.message;
+}
+}  // namespace
+}  // namespace burmester::spherical
