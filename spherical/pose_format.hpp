@@ -21,5 +21,6 @@ PoseData read_pose(const InputNode& node, const Units& units);
 PoseData read_csv_pose(const std::vector<double>& row);
 
 Pose pose_of(const PoseData& data);
+std::vector<Pose> poses_of(const Problem& problem);
 
 }  // namespace burmester::spherical

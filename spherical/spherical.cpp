@@ -1,20 +1,40 @@
 #include "burmester/spherical/spherical.hpp"
 
+#include <fmt/format.h>
+
 #include "burmester/spherical/family.hpp"
+#include "burmester/spherical/five_pose_solver.hpp"
 #include "burmester/spherical/pose_format.hpp"
 
 namespace burmester::spherical {
 namespace {
+
+template <class... S>
+std::vector<SolverInfo> describe_solvers() {
+  return {{S::name, S::answers}...};
+}
 
 ModuleInfo describe() {
   ModuleInfo info;
   info.name = Space::name;
   info.origin = "built in";
   Dyads::for_each([&]<class D>() { info.dyad_types.push_back(D::name); });
+  info.solvers = describe_solvers<FivePoseSolver>();
   info.type_aliases = {{"RP", "PR"}};  // a slider is its own inverse
   info.csv_headers = {{"qw", "qx", "qy", "qz"}};
   info.point_size = Space::feature_size;
   return info;
+}
+
+SphericalReport solve(const Problem& problem, std::span<const Pose> poses) {
+  if (!problem.fixed.empty() || !problem.moving.empty())
+    throw NotAvailable("spherical synthesis for given fixed or moving axes");
+  if (poses.size() != 5)
+    throw NotAvailable(fmt::format("spherical synthesis for {} poses (this version solves five)", poses.size()));
+  SphericalReport report = FivePoseSolver{.certify = problem.certify}.solve(poses);
+  if (!problem.near.empty()) report.warnings.push_back("near: only four poses leave a choice; ignored");
+  if (!problem.weights.empty()) report.warnings.push_back("weights: up to five poses are met exactly; ignored");
+  return report;
 }
 
 class SphericalModule final : public Module {
@@ -34,7 +54,10 @@ class SphericalModule final : public Module {
   }
   double task_size(const Problem&) const override { return 1; }
 
-  Synthesis synthesize(const Problem&) const override { throw NotAvailable("spherical synthesis"); }
+  Synthesis synthesize(const Problem& problem) const override {
+    const SphericalReport report = solve(problem, poses_of(problem));
+    return {report.status, report.message, report.counts, records_of(report), {}, report.warnings, report.curves};
+  }
   Drawing draw(const Problem&, const Synthesis&) const override { return {}; }
 
  private:
