@@ -2,33 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <vector>
+#include "burmester/modules/framework/equal_poses.hpp"
 
 namespace burmester::planar {
 namespace {
-
-/// "2 and 4 are equal", and how many different poses there are.
-std::string name_equal_poses(FivePoses poses) {
-  std::vector<std::string> groups;
-  std::array<bool, 5> seen{};
-  int different = 0;
-  for (int i = 0; i < 5; ++i) {
-    if (seen[i]) continue;
-    ++different;
-    std::vector<int> group{i + 1};
-    for (int j = i + 1; j < 5; ++j)
-      if (poses[j].x == poses[i].x && poses[j].y == poses[i].y && same_orientation(poses[i], poses[j]))
-        seen[j] = true, group.push_back(j + 1);
-    if (group.size() > 1) groups.push_back(fmt::format("{}", fmt::join(group, " and ")));
-  }
-  static constexpr const char* family[] = {
-      "", "met by every dyad", "in general met by a three-dimensional family of dyads",
-      "in general met by a two-dimensional family of dyads",
-      "in general met by a curve of dyads (circle points and centre points)"};
-  return fmt::format("poses {} are equal: in effect {} pose{}, {}", fmt::join(groups, ", "), different,
-                     different == 1 ? "" : "s", family[different]);
-}
 
 std::string plural(int n, const char* one, const char* many) { return fmt::format("{} {}", n, n == 1 ? one : many); }
 
@@ -82,7 +59,11 @@ Verdict verdict(FivePoseCase what, FivePoses poses, int real, const std::string&
     case FivePoseCase::translation:
       return infinite(2, "a translation along a circle or a straight line: every point of the body is a moving pivot, "
                          "besides the double slider PP");
-    case FivePoseCase::equal_poses: return infinite(std::nullopt, name_equal_poses(poses));
+    case FivePoseCase::equal_poses:
+      return infinite(std::nullopt, name_equal_poses([&](int i, int j) {
+                        return poses[j].x == poses[i].x && poses[j].y == poses[i].y &&
+                               same_orientation(poses[i], poses[j]);
+                      }));
     case FivePoseCase::rotation:
       return infinite(2, "the poses are rotations about one point: every point of the body moves on a circle about it, "
                          "and that point of the body is a pivot for any circle through it");

@@ -21,7 +21,7 @@ struct LineRecord {
 /// The slider that an RR dyad nearly is.
 struct SliderRecord {
   std::string type;
-  LineRecord line;
+  std::optional<LineRecord> line;  ///< none on the sphere, where the axes say it all
   double departure = 0;
 };
 

@@ -55,11 +55,14 @@ double largest_residual(const typename D::Design& design, std::span<const typena
   return largest;
 }
 
-/// Puts the dyads in the order in which results list them: by type in the order of the list, then by length.
+/// Puts the dyads in the order in which results list them: by type in the order of the list, then by length or arc.
 template <class List>
 void sort_dyads(Report<List>& report) {
   const auto length = [](const auto& found) {
-    return List::visit(found.design, []<class D>(const typename D::Design& d) { return D::record(d).length.value_or(0); });
+    return List::visit(found.design, []<class D>(const typename D::Design& d) {
+      const DyadRecord record = D::record(d);
+      return record.length ? *record.length : record.arc.value_or(0);
+    });
   };
   std::stable_sort(report.dyads.begin(), report.dyads.end(), [&](const auto& a, const auto& b) {
     if (a.design.index() != b.design.index()) return a.design.index() < b.design.index();

@@ -58,10 +58,10 @@ json dyad_of(const DyadRecord& dyad, const Units& units) {
   out["residual"] = dyad.residual;
   if (dyad.condition && std::isfinite(*dyad.condition)) out["condition"] = *dyad.condition;
   put(out, "departure", dyad.departure);
-  if (dyad.slider)
-    out["slider"] = {{"type", dyad.slider->type},
-                     {"line", line_of(dyad.slider->line, units)},
-                     {"departure", dyad.slider->departure}};
+  if (dyad.slider) {
+    out["slider"] = {{"type", dyad.slider->type}, {"departure", dyad.slider->departure}};
+    if (dyad.slider->line) out["slider"]["line"] = line_of(*dyad.slider->line, units);
+  }
   out["certificate"] = {{"certified", dyad.certificate.certified}};
   if (dyad.certificate.certified) out["certificate"]["radius"] = dyad.certificate.radius;
   return out;

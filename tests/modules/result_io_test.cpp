@@ -53,7 +53,7 @@ Synthesis untidy() {
   s.dyads[1].length = 9;
   s.dyads[1].residual = 1e-15;
   s.dyads[1].condition = 100;
-  s.dyads[1].slider = SliderRecord{"PR", {{0, 1}, 0}, 0.5};
+  s.dyads[1].slider = SliderRecord{"PR", LineRecord{{0, 1}, 0}, 0.5};
   s.dyads[2].length = 6;
   s.linkages = {linkage(1, 2, 3, "RRRR", 2, {}), linkage(2, 3, 1, "RRRP", 6, 0.25),
                 linkage(3, 2, 1, "RRRP", 9, 0.5)};

@@ -86,7 +86,7 @@ TEST(Classify, SliderRecordIsTheLineOfTheArc) {
       ++seen;
       EXPECT_NEAR(found.slider->departure, departure_of_radius(R), 1e-3 * departure_of_radius(R))
           << "case " << i;
-      EXPECT_LT(std::abs(std::sin(found.slider->line.angle)), 1e-6) << "case " << i;  // the arc runs along x
+      EXPECT_LT(std::abs(std::sin(found.slider->line->angle)), 1e-6) << "case " << i;  // the arc runs along x
     }
     EXPECT_EQ(seen, 1) << "case " << i;
   }
