@@ -173,8 +173,17 @@ Found<PR::Design> best_slider(std::span<const Pose> poses, std::span<const doubl
   });
 }
 
-Report<Dyads> LeastSquaresSolver::solve(std::span<const Pose> poses) const {
-  Report<Dyads> report;
+SphericalReport slider_report(std::span<const Pose> poses) {
+  SphericalReport report;
+  report.status = Status::approximate;
+  report.message = fmt::format("no slider meets all {} orientations: the best one by least squares", poses.size());
+  report.counts.dimension = 0;
+  report.dyads.push_back(listed(best_slider(poses)));
+  return report;
+}
+
+SphericalReport LeastSquaresSolver::solve(std::span<const Pose> poses) const {
+  SphericalReport report;
   if (one_axis(poses)) {
     report.status = Status::degenerate;
     report.message = "all rotations have one axis: every moving axis with that one as fixed axis meets them";

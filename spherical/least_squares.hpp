@@ -12,8 +12,7 @@
 #include <span>
 #include <vector>
 
-#include "burmester/modules/framework/report.hpp"
-#include "burmester/spherical/dyads.hpp"
+#include "burmester/spherical/five_pose_solver.hpp"
 
 namespace burmester::spherical {
 
@@ -23,8 +22,11 @@ namespace burmester::spherical {
 std::vector<Found<RR::Design>> best_dyads(std::span<const Pose> poses, std::span<const double> weights = {});
 std::vector<Found<PR::Design>> best_sliders(std::span<const Pose> poses, std::span<const double> weights = {});
 
-/// Of fits, the one whose weighted sum of squares is least. Precondition: there is one.
+/// Of these the one whose weighted sum of squares is least.
 Found<PR::Design> best_slider(std::span<const Pose> poses, std::span<const double> weights = {});
+
+/// The best slider alone.
+SphericalReport slider_report(std::span<const Pose> poses);
 
 /// Residuals up to this, radians, are rounding of the data.
 inline constexpr double exact_residual = 1e-12;
@@ -36,7 +38,7 @@ struct LeastSquaresSolver {
   static constexpr const char* answers =
       "every RR dyad that is a local best fit of the angular errors, and the best slider; exact ones where there are";
   std::vector<double> weights{};
-  Report<Dyads> solve(std::span<const Pose> poses) const;
+  SphericalReport solve(std::span<const Pose> poses) const;
 };
 
 }  // namespace burmester::spherical
