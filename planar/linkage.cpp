@@ -4,7 +4,7 @@
 #include <array>
 
 #include "burmester/geometry/number.hpp"
-#include "burmester/modules/dyads/dyad_name.hpp"
+#include "burmester/modules/framework/pairing.hpp"
 
 namespace burmester::planar {
 namespace {
@@ -114,21 +114,9 @@ std::string four_bar_class(double ground, double input, double coupler, double o
 }
 
 std::vector<LinkageRecord> linkages_of(const std::vector<AnyDyad>& dyads, double task_size) {
-  const auto name = [&](std::size_t i) {
-    return Dyads::visit(dyads[i].design, []<class D>(const typename D::Design&) { return std::string_view(D::name); });
-  };
-  std::vector<LinkageRecord> out;
-  for (std::size_t i = 0; i < dyads.size(); ++i)
-    for (std::size_t j = i + 1; j < dyads.size(); ++j) {
-      if (!pairs(name(i), name(j))) continue;
-      const bool ordered = type_rank(name(i)) <= type_rank(name(j));
-      const std::size_t first = ordered ? i : j, second = ordered ? j : i;
-      LinkageRecord l = link(dyads[first], dyads[second], linkage_type(name(first), name(second)), task_size);
-      l.id = static_cast<int>(out.size()) + 1;
-      l.dyads[0] = static_cast<int>(first) + 1, l.dyads[1] = static_cast<int>(second) + 1;
-      out.push_back(std::move(l));
-    }
-  return out;
+  return paired_linkages<Dyads>(dyads, [&](const AnyDyad& a, const AnyDyad& b, std::string type) {
+    return link(a, b, std::move(type), task_size);
+  });
 }
 
 }  // namespace burmester::planar

@@ -89,16 +89,6 @@ std::vector<Direction> seen_in_frame(FivePoses poses, int reference) {
   return out;
 }
 
-/// A sextic that vanishes says that every line through its centre holds a solution; they are infinitely many if the
-/// centre is none itself.
-bool sextic_vanishes(const Equations& n) {
-  for (const Chart& chart : charts) {
-    const Direction centre = from_chart<Rational>(chart, {0, 0, 1});
-    if (rank_at(n, centre) == 3) return sextic(minor_forms(in_chart(n, chart))).is_zero();
-  }
-  return false;
-}
-
 }  // namespace
 
 Degeneracy exact_degeneracy(FivePoses poses) {
@@ -111,7 +101,7 @@ Degeneracy exact_degeneracy(FivePoses poses) {
   if (rank_of(conditions(n)) < 4) return Degeneracy::rank_deficient;
   if (some_axis_takes_two_places(n, axes)) return Degeneracy::moving_on_circle;
   if (some_axis_takes_two_places(transposed(n), seen_in_frame(poses, reference))) return Degeneracy::fixed_on_circle;
-  return sextic_vanishes(n) ? Degeneracy::infinitely_many : Degeneracy::none;
+  return Degeneracy::none;
 }
 
 }  // namespace burmester::spherical

@@ -11,8 +11,7 @@ enum class Degeneracy {
   one_axis,            ///< all rotate about one axis: every axis with that one
   rank_deficient,      ///< the four conditions on b (x) a are dependent
   moving_on_circle,    ///< a moving axis takes only two places: the fixed axes with it are a great circle
-  fixed_on_circle,     ///< the same seen from the body
-  infinitely_many      ///< a curve of dyads of another kind
+  fixed_on_circle      ///< the same seen from the body
 };
 
 /// Of five orientations; the first kind in the order above that is proved.

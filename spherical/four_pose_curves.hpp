@@ -12,12 +12,12 @@
 #include <span>
 
 #include "burmester/modules/framework/curve_report.hpp"
+#include "burmester/spherical/five_pose_solver.hpp"
 #include "burmester/spherical/sliders.hpp"
 
 namespace burmester::spherical {
 
 using burmester::FourPoseCurves;
-using SphericalReport = Report<Dyads>;
 
 /// Radians on the unit sphere.
 struct CurveOptions {

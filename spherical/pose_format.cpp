@@ -91,9 +91,9 @@ PoseData read_csv_pose(const std::vector<double>& row) {
 Pose pose_of(const PoseData& data) { return {data[0], data[1], data[2], data[3]}; }
 
 std::vector<Pose> poses_of(const Problem& problem) {
-  std::vector<Pose> out;
-  for (const PoseData& data : problem.poses) out.push_back(pose_of(data));
-  return out;
+  std::vector<Pose> poses;
+  for (const PoseData& data : problem.poses) poses.push_back(pose_of(data));
+  return poses;
 }
 
 }  // namespace burmester::spherical

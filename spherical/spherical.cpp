@@ -2,10 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "burmester/spherical/drawing.hpp"
 #include "burmester/spherical/family.hpp"
 #include "burmester/spherical/five_pose_solver.hpp"
 #include "burmester/spherical/four_pose_curves.hpp"
+#include "burmester/spherical/least_squares.hpp"
+#include "burmester/spherical/linkage.hpp"
 #include "burmester/spherical/pose_format.hpp"
 
 namespace burmester::spherical {
@@ -21,27 +25,48 @@ ModuleInfo describe() {
   info.name = Space::name;
   info.origin = "built in";
   Dyads::for_each([&]<class D>() { info.dyad_types.push_back(D::name); });
-  info.solvers = describe_solvers<FourPoseSolver, FivePoseSolver>();
+  info.solvers = describe_solvers<FourPoseSolver, FivePoseSolver, LeastSquaresSolver>();
   info.type_aliases = {{"RP", "PR"}};  // a slider is its own inverse
   info.csv_headers = {{"qw", "qx", "qy", "qz"}};
   info.point_size = Space::feature_size;
   return info;
 }
 
+std::vector<double> weights_of(const Problem& problem) {
+  std::vector<double> out;
+  for (const std::optional<double>& weight : problem.weights) {
+    if (!weight) throw NotAvailable("spherical synthesis with orientations that are met exactly among more than five");
+    out.push_back(*weight);
+  }
+  return out;
+}
+
+/// Where only sliders are asked for and none meets the orientations.
+void add_best_slider(std::span<const Pose> poses, SphericalReport& report) {
+  const auto is_slider = [](const auto& found) { return std::holds_alternative<PR::Design>(found.design); };
+  if (report.status == Status::degenerate || std::any_of(report.dyads.begin(), report.dyads.end(), is_slider)) return;
+  report = slider_report(poses);
+}
+
 SphericalReport solve(const Problem& problem, std::span<const Pose> poses) {
   if (!problem.fixed.empty() || !problem.moving.empty())
     throw NotAvailable("spherical synthesis for given fixed or moving axes");
   SphericalReport report;
-  if (poses.size() == 5) {
+  if (poses.size() > 5) {
+    report = LeastSquaresSolver{weights_of(problem)}.solve(poses);
+  } else if (poses.size() == 5) {
     report = FivePoseSolver{.certify = problem.certify}.solve(poses);
+    if (problem.types == std::vector<std::string>{PR::name}) add_best_slider(poses, report);
   } else if (poses.size() == 4) {
     if (!problem.near.empty()) throw NotAvailable("dyads near given axes of the cone of four orientations");
     report = FourPoseSolver().solve(poses);
   } else {
-    throw NotAvailable(fmt::format("spherical synthesis for {} orientations", poses.size()));
+    throw NotAvailable(
+        fmt::format("spherical synthesis for {} orientations (this version solves four and more)", poses.size()));
   }
   if (!problem.near.empty()) report.warnings.push_back("near: only four poses leave a choice; ignored");
-  if (!problem.weights.empty()) report.warnings.push_back("weights: up to five poses are met exactly; ignored");
+  if (!problem.weights.empty() && poses.size() <= 5)
+    report.warnings.push_back("weights: up to five poses are met exactly; ignored");
   return report;
 }
 
@@ -64,7 +89,8 @@ class SphericalModule final : public Module {
 
   Synthesis synthesize(const Problem& problem) const override {
     const SphericalReport report = solve(problem, poses_of(problem));
-    return {report.status, report.message, report.counts, records_of(report), {}, report.warnings, report.curves};
+    return {report.status,   report.message, report.counts, records_of(report), linkages_of(report.dyads),
+            report.warnings, report.curves};
   }
   Drawing draw(const Problem& problem, const Synthesis& answer) const override {
     return draw_synthesis(problem, answer);

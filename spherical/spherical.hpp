@@ -2,6 +2,9 @@
 // Where to start:
 //   pose.hpp, space.hpp      poses, and the image space P^3 (quaternions)
 //   dyads.hpp, family.hpp    the dyad types, and the one linear family they all live in
+//   linkage.hpp              two dyads closed by the coupler
+//   drawing.hpp              linkages on the unit sphere
+//   semigraphical.hpp        five orientations by contour plots, to look at
 //   pose_format.hpp          the poses that files may hold
 #pragma once
 

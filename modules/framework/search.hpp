@@ -20,9 +20,10 @@ namespace burmester {
 struct SearchOptions {
   std::string seed = "search";
   int starts = 200;
-  int iterations = 100;     ///< for each start
-  double tolerance = 1e-9;  ///< as many poses as parameters: largest residual of an answer, per task size
-  double same = 1e-6;       ///< answers that differ by less on other poses are one, per task size
+  int iterations = 100;           ///< for each start
+  double tolerance = 1e-9;        ///< as many poses as parameters: largest residual of an answer, per task size
+  double same = 1e-6;             ///< answers that differ by less on other poses are one, per task size
+  std::vector<double> weights{};  ///< of the poses; none: all 1
 };
 
 template <DyadType D>
@@ -31,18 +32,24 @@ struct Refined {
   bool converged = false;  ///< at a stationary point of the sum of squares, up to the accuracy of differences
 };
 
-/// The nearest local minimum of the sum of squared residuals. Precondition: at least D::parameters poses.
+/// The nearest local minimum of the sum of squared residuals, each times the weight of its pose (none: 1).
+/// Precondition: at least D::parameters poses.
 template <DyadType D>
-Refined<D> refine(const typename D::Design& start, std::span<const typename D::Space::Pose> poses,
-                  int iterations = 100) {
+Refined<D> refine(const typename D::Design& start, std::span<const typename D::Space::Pose> poses, int iterations = 100,
+                  std::span<const double> weights = {}) {
   constexpr int p = D::parameters;
   const Eigen::Index n = static_cast<Eigen::Index>(poses.size());
   const double step = step_for<typename D::Space>(poses);
+  Eigen::VectorXd factor = Eigen::VectorXd::Ones(n);
+  for (std::size_t j = 0; j < weights.size(); ++j) factor[static_cast<Eigen::Index>(j)] = std::sqrt(weights[j]);
+  const auto weighted = [&](const typename D::Design& d) -> Eigen::VectorXd {
+    return factor.cwiseProduct(residuals<D>(d, poses));
+  };
   Refined<D> out{start};
-  Eigen::VectorXd r = residuals<D>(out.design, poses);
+  Eigen::VectorXd r = weighted(out.design);
   double damping = 1e-3;
   for (int i = 0; i < iterations && r.allFinite(); ++i) {
-    const Eigen::MatrixXd J = design_jacobian<D>(out.design, poses, step);
+    const Eigen::MatrixXd J = factor.asDiagonal() * design_jacobian<D>(out.design, poses, step);
     if (!J.allFinite()) break;
     const double slope = (J.transpose() * r).norm(), size = J.norm();
     out.converged = slope <= 1e-8 * size * r.norm() || r.norm() == 0;
@@ -55,7 +62,7 @@ Refined<D> refine(const typename D::Design& start, std::span<const typename D::S
       wanted.head(n) = -r;
       const Vector<double, p> u = system.householderQr().solve(wanted);
       const typename D::Design next = D::nudged(out.design, u);
-      const Eigen::VectorXd next_r = residuals<D>(next, poses);
+      const Eigen::VectorXd next_r = weighted(next);
       better = next_r.norm() < r.norm();
       if (better) out.design = next, r = next_r;
     }
@@ -75,8 +82,7 @@ typename D::Design random_start(Random& random, std::span<const typename D::Spac
   const typename D::Design d = D::random_design(random);
   Vector<double, D::parameters> spread;
   for (int i = 0; i < D::parameters; ++i) spread[i] = std::max(0.0, size - 1) * random.normal();
-  return D::nudged(
-      D::moved(d, S::template point<double>(near), S::template point<double>(typename S::Pose{})), spread);
+  return D::nudged(D::moved(d, S::template point<double>(near), S::template point<double>(typename S::Pose{})), spread);
 }
 
 /// Poses other than the given ones, on which designs can be told apart.
@@ -95,19 +101,21 @@ std::vector<typename D::Space::Pose> probes(Random& random, std::span<const type
 
 }  // namespace detail
 
-/// Different designs, best first. Precondition: at least D::parameters poses, lengths not far below 1.
+/// The different designs that the starts lead to, best first. Precondition: at least D::parameters poses, lengths not far
+/// below 1.
 template <DyadType D>
-std::vector<Found<typename D::Design>> search(std::span<const typename D::Space::Pose> poses,
-                                              const SearchOptions& options = {}) {
+std::vector<Found<typename D::Design>> search_from(std::span<const typename D::Design> starts,
+                                                   std::span<const typename D::Space::Pose> poses,
+                                                   const SearchOptions& options = {}) {
   Random random(options.seed);
   const double size = extent<typename D::Space>(poses);
   const bool exact = poses.size() == D::parameters;
   const auto probes = detail::probes<D>(random, poses, size);
   std::vector<Found<typename D::Design>> out;
-  for (int i = 0; i < options.starts; ++i) {
-    const auto found = refine<D>(detail::random_start<D>(random, poses, size), poses, options.iterations);
+  for (const auto& start : starts) {
+    const auto found = refine<D>(start, poses, options.iterations, options.weights);
     const double residual = largest_residual<D>(found.design, poses);
-    if (!(exact ? residual <= options.tolerance * size : found.converged)) continue;
+    if (!(residual <= options.tolerance * size || (found.converged && !exact))) continue;
     const bool known = std::any_of(out.begin(), out.end(), [&](const auto& other) {
       return disagreement<D>(other.design, found.design, probes) <= options.same * std::max(1.0, size);
     });
@@ -115,6 +123,17 @@ std::vector<Found<typename D::Design>> search(std::span<const typename D::Space:
   }
   std::sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.residual < b.residual; });
   return out;
+}
+
+/// The same from random starts.
+template <DyadType D>
+std::vector<Found<typename D::Design>> search(std::span<const typename D::Space::Pose> poses,
+                                              const SearchOptions& options = {}) {
+  Random random(options.seed + ", starts");
+  const double size = extent<typename D::Space>(poses);
+  std::vector<typename D::Design> starts;
+  for (int i = 0; i < options.starts; ++i) starts.push_back(detail::random_start<D>(random, poses, size));
+  return search_from<D>(starts, poses, options);
 }
 
 }  // namespace burmester

@@ -50,6 +50,19 @@ TEST(DrawingDocument, IsWhatThePageReads) {
   EXPECT_EQ(l["window"], json({-1, -1, 4, 3}));
 }
 
+TEST(DrawingDocument, HoldsSpheres) {
+  Drawing d;
+  d.spheres = {{4,
+                {{.role = "link", .dyad = 2, .pose = 3, .points = {{1, 0, 0}, {0.6, 0.8000000001, 0}}}},
+                {{"from +x", {0, 1, 0}, {0, 0, 1}, {1, 0, 0}}}}};
+  const json sphere = drawing_document(d)["spheres"][0];
+  EXPECT_EQ(sphere["linkage"], 4);
+  EXPECT_EQ(sphere["strokes"][0]["role"], "link");
+  EXPECT_EQ(sphere["strokes"][0]["pose"], 3);
+  EXPECT_EQ(sphere["strokes"][0]["points"][1], json({0.6, 0.8, 0}));
+  EXPECT_EQ(sphere["views"][0]["towards"], json({1, 0, 0}));
+}
+
 TEST(ReportPage, HasEverythingInIt) {
   const std::string page = report_page({{"name", "</script><script>alert(1)"}}, slider_crank());
   EXPECT_THAT(page, Not(HasSubstr("/*BURMESTER_")));

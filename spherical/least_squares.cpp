@@ -1,0 +1,223 @@
+#include "burmester/spherical/least_squares.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "burmester/modules/framework/condition.hpp"
+#include "burmester/modules/framework/search.hpp"
+#include "burmester/spherical/family.hpp"
+
+namespace burmester::spherical {
+namespace {
+
+/// Points of the half sphere, and how many directions of it are neighbours.
+constexpr int grid_size = 1500;
+const double grid_spacing = std::sqrt(2 * std::numbers::pi / grid_size), neighbourhood = std::cos(1.6 * grid_spacing);
+
+struct Task {
+  std::vector<Eigen::Matrix3d> turns;
+  std::vector<double> weights;  ///< with sum 1
+};
+
+Task task_of(std::span<const Pose> poses, std::span<const double> weights) {
+  Task task;
+  double sum = 0;
+  for (std::size_t j = 0; j < poses.size(); ++j) {
+    const Eigen::Quaterniond q(poses[j].w, poses[j].x, poses[j].y, poses[j].z);
+    task.turns.push_back(q.normalized().toRotationMatrix());
+    task.weights.push_back(weights.empty() ? 1 : weights[j]);
+    sum += task.weights.back();
+  }
+  for (double& w : task.weights) w /= sum;
+  return task;
+}
+
+/// A moving axis with its best fixed axis, by the plane through its places.
+struct Fit {
+  Axis fixed, moving;
+  double cosine = 0;  ///< of the arc
+  double misfit = 0;  ///< mean square of the angular errors, to first order
+};
+
+template <class D>
+Fit fit(const Task& task, const Axis& a) {
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
+  for (std::size_t j = 0; j < task.turns.size(); ++j) {
+    const Eigen::Vector3d p = task.turns[j] * a;
+    mean += task.weights[j] * p, scatter += task.weights[j] * p * p.transpose();
+  }
+  if constexpr (std::is_same_v<D, RR>)
+    scatter -= mean * mean.transpose();
+  else
+    mean.setZero();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(scatter);
+  const Axis b = axes.eigenvectors().col(0);
+  const double cosine = b.dot(mean), sine = std::max(1 - cosine * cosine, 1e-12);
+  return {b, a, cosine, std::max(axes.eigenvalues()[0], 0.0) / sine};
+}
+
+RR::Design design_of(const Fit& f, RR) { return {f.fixed, f.moving, std::acos(std::clamp(f.cosine, -1.0, 1.0))}; }
+PR::Design design_of(const Fit& f, PR) { return {f.fixed, f.moving}; }
+
+/// Local minima of the misfit on a Fibonacci grid of the half sphere.
+template <class D>
+void add_scanned(const Task& task, std::vector<typename D::Design>& starts) {
+  std::vector<Fit> grid;
+  for (int i = 0; i < grid_size; ++i) {
+    const double z = (i + 0.5) / grid_size, r = std::sqrt(1 - z * z),
+                 turn = 2 * std::numbers::pi * i / std::numbers::phi;
+    grid.push_back(fit<D>(task, {r * std::cos(turn), r * std::sin(turn), z}));
+  }
+  for (const Fit& f : grid) {
+    const bool least = std::all_of(grid.begin(), grid.end(), [&](const Fit& other) {
+      return !(other.misfit < f.misfit) || std::abs(other.moving.dot(f.moving)) < neighbourhood;
+    });
+    if (least) starts.push_back(design_of(f, D{}));
+  }
+}
+
+/// The dyads nearest to the singular vectors of the lifted rows.
+template <class D>
+void add_lifted(std::span<const Pose> poses, const Task& task, std::vector<typename D::Design>& starts) {
+  constexpr int columns = std::is_same_v<D, RR> ? Family::dimension : Family::dimension - 1;  // without the arc
+  Eigen::MatrixXd rows(static_cast<Eigen::Index>(poses.size()), columns);
+  for (Eigen::Index j = 0; j < rows.rows(); ++j) {
+    const Pose& pose = poses[static_cast<std::size_t>(j)];
+    const double norm = Space::norm<double>(Space::point<double>(pose));
+    rows.row(j) = std::sqrt(task.weights[static_cast<std::size_t>(j)]) / norm *
+                  Family::row<double>(pose).head<columns>().transpose();
+  }
+  const Eigen::MatrixXd v = Eigen::JacobiSVD<Eigen::MatrixXd>(rows, Eigen::ComputeFullV).matrixV();
+  for (Eigen::Index i = 0; i < columns; ++i) {
+    Vector<double, Family::dimension> k = Vector<double, Family::dimension>::Zero();
+    k.head<columns>() = v.col(i);
+    const auto any = Family::decode(k);
+    if (!any) continue;
+    Dyads::visit(*any, [&]<class E>(const typename E::Design& d) {
+      if constexpr (std::is_same_v<D, E>)
+        starts.push_back(d);
+      else if constexpr (std::is_same_v<D, RR>)
+        starts.push_back({d.fixed, d.moving, std::numbers::pi / 2});
+    });
+  }
+}
+
+template <class D>
+std::vector<Found<typename D::Design>> best(std::span<const Pose> poses, std::span<const double> weights) {
+  const Task task = task_of(poses, weights);
+  std::vector<typename D::Design> starts;
+  add_lifted<D>(poses, task, starts);
+  add_scanned<D>(task, starts);
+  auto found = search_from<D>(starts, poses, {.tolerance = exact_residual, .weights = task.weights});
+  for (auto& f : found) f.condition = condition<D>(f.design, poses);
+  return found;
+}
+
+double sum_of_squares(const PR::Design& d, std::span<const Pose> poses, std::span<const double> weights) {
+  const Eigen::VectorXd r = residuals<PR>(d, poses);
+  double sum = 0;
+  for (std::size_t j = 0; j < poses.size(); ++j)
+    sum += (weights.empty() ? 1 : weights[j]) * std::pow(r[static_cast<Eigen::Index>(j)], 2);
+  return sum;
+}
+
+/// Third singular value of the quaternions below this: all poses on a line of the image space, to within rounding.
+constexpr double same_axis_tolerance = 0x1p-40;
+
+bool one_axis(std::span<const Pose> poses) {
+  Eigen::MatrixXd q(static_cast<Eigen::Index>(poses.size()), 4);
+  for (std::size_t j = 0; j < poses.size(); ++j)
+    q.row(static_cast<Eigen::Index>(j)) = Space::point<double>(poses[j]).normalized().transpose();
+  const Eigen::VectorXd size = Eigen::JacobiSVD<Eigen::MatrixXd>(q).singularValues();
+  return size[2] <= same_axis_tolerance * size[0];
+}
+
+/// An RR met exactly at an arc of 90 deg is a slider.
+Dyads::Design typed(const RR::Design& d) {
+  if (std::abs(d.arc - std::numbers::pi / 2) <= slider_arc_tolerance) return PR::Design{d.fixed, d.moving};
+  return d;
+}
+
+template <class Design>
+Found<Dyads::Design> listed(const Found<Design>& f) {
+  Found<Dyads::Design> out;
+  if constexpr (std::is_same_v<Design, RR::Design>)
+    out.design = typed(f.design);
+  else
+    out.design = f.design;
+  out.residual = f.residual, out.condition = f.condition;
+  if (std::holds_alternative<PR::Design>(out.design)) out.departure = f.residual;
+  return out;
+}
+
+}  // namespace
+
+std::vector<Found<RR::Design>> best_dyads(std::span<const Pose> poses, std::span<const double> weights) {
+  return best<RR>(poses, weights);
+}
+
+std::vector<Found<PR::Design>> best_sliders(std::span<const Pose> poses, std::span<const double> weights) {
+  return best<PR>(poses, weights);
+}
+
+Found<PR::Design> best_slider(std::span<const Pose> poses, std::span<const double> weights) {
+  const auto all = best_sliders(poses, weights);
+  return *std::min_element(all.begin(), all.end(), [&](const auto& a, const auto& b) {
+    return sum_of_squares(a.design, poses, weights) < sum_of_squares(b.design, poses, weights);
+  });
+}
+
+SphericalReport slider_report(std::span<const Pose> poses) {
+  SphericalReport report;
+  report.status = Status::approximate;
+  report.message = fmt::format("no slider meets all {} orientations: the best one by least squares", poses.size());
+  report.counts.dimension = 0;
+  report.dyads.push_back(listed(best_slider(poses)));
+  return report;
+}
+
+SphericalReport LeastSquaresSolver::solve(std::span<const Pose> poses) const {
+  SphericalReport report;
+  if (one_axis(poses)) {
+    report.status = Status::degenerate;
+    report.message = "all rotations have one axis: every moving axis with that one as fixed axis meets them";
+    return report;
+  }
+  const auto dyads = best_dyads(poses, weights);
+  report.counts.dimension = 0;
+  for (const auto& f : dyads)
+    if (f.residual <= exact_residual) report.dyads.push_back(listed(f));
+  const bool isolated = std::all_of(report.dyads.begin(), report.dyads.end(),
+                                    [](const auto& f) { return f.condition && std::isfinite(*f.condition); });
+  if (!isolated) {
+    report = {};
+    report.status = Status::degenerate;
+    report.message =
+        "infinitely many dyads meet these orientations: fewer than five of them are different, or they follow a "
+        "linkage that moves";
+    return report;
+  }
+  if (!report.dyads.empty()) {
+    report.status = Status::exact;
+    report.message =
+        fmt::format("{} real dyad{} met by all {} orientations to rounding; found by least squares, there may be more",
+                    report.dyads.size(), report.dyads.size() == 1 ? "" : "s", poses.size());
+    return report;
+  }
+  report.status = Status::approximate;
+  for (const auto& f : dyads) report.dyads.push_back(listed(f));
+  report.dyads.push_back(listed(best_slider(poses, weights)));
+  report.message = fmt::format("no dyad meets all {} orientations: {} local best fit{} and the best slider",
+                               poses.size(), dyads.size(), dyads.size() == 1 ? "" : "s");
+  return report;
+}
+
+static_assert(Solver<LeastSquaresSolver>);
+
+}  // namespace burmester::spherical

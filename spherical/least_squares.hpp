@@ -1,0 +1,44 @@
+// More orientations than a dyad can meet: the dyads, and the slider, that come nearest to them.
+//
+// Sought are the local minima of the sum of squares of the angular errors arc - angle(b, Q_j a), each times the weight of
+// its orientation. Starts come from two sides: the rows of the lifted equations (family.hpp), whose singular vectors are
+// decoded to dyads, and a scan. For a given moving axis a the places Q_j a are points of the sphere, and the plane that
+// fits them best (through the centre for a slider) gives the fixed axis b and the arc; so what is left is a function of a
+// alone, and its local minima on a grid of the half sphere are starts. Each start is refined by damped Gauss-Newton steps
+// on the angular errors themselves (modules/framework/search.hpp). The slider by the smallest singular vectors alone is
+// what J. Angeles, S. Bai, "A robust solution of the spherical Burmester problem", print for their example 2.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "burmester/spherical/five_pose_solver.hpp"
+
+namespace burmester::spherical {
+
+/// The local minima that the starts lead to, those of smallest largest residual first. `weights`: one for each
+/// orientation, not negative, or none. Preconditions: five orientations or more (four for sliders), those of positive
+/// weight among them.
+std::vector<Found<RR::Design>> best_dyads(std::span<const Pose> poses, std::span<const double> weights = {});
+std::vector<Found<PR::Design>> best_sliders(std::span<const Pose> poses, std::span<const double> weights = {});
+
+/// Of these the one whose weighted sum of squares is least.
+Found<PR::Design> best_slider(std::span<const Pose> poses, std::span<const double> weights = {});
+
+/// The best slider alone.
+SphericalReport slider_report(std::span<const Pose> poses);
+
+/// Residuals up to this, radians, are rounding of the data.
+inline constexpr double exact_residual = 1e-12;
+
+struct LeastSquaresSolver {
+  using Pose = spherical::Pose;
+  using Dyads = spherical::Dyads;
+  static constexpr const char* name = "six and more orientations, least squares";
+  static constexpr const char* answers =
+      "every RR dyad that is a local best fit of the angular errors, and the best slider; exact ones where there are";
+  std::vector<double> weights{};
+  SphericalReport solve(std::span<const Pose> poses) const;
+};
+
+}  // namespace burmester::spherical
