@@ -196,7 +196,7 @@ TEST(Mech5507, SurfaceParametrisation) {
   }
 }
 
-// ---- MECH 5507: quadric fitting, the four-bar of 40 poses (M. J. D. Hayes, S. Radacina Rusu, IFToMM 2011) ----
+// ---- MECH 5507: quadric fitting, the four-bar of 40 poses (M. J. D. Hayes, S. Radacina-Rusu, IFToMM 2011) ----
 
 const RR::Design fit_crank{{5, 0}, {3, -2}, 2}, fit_rocker{{-1, 1}, {-1, -2}, 5};
 
