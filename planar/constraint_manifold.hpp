@@ -12,8 +12,8 @@
 // centre: they are its negatives); w = 0 holds the half turns.
 //
 // Every surface of an RR, PR or RP passes through the points J1, J2 = (1 : +-i : 0 : 0) and is touched by the planes
-// V1, V2: X3 +- i X4 = 0 (PR at J1 by V1, RP at J1 by V2, RR elsewhere); those of PR and RP hold the line l: X3 = X4 =
-// 0. That is two linear and two quadratic conditions on the ten coefficients, so five poses fix a surface.
+// V1, V2: X3 +- i X4 = 0 (PR at J1 by V1, RP at J1 by V2, RR elsewhere); PR and RP surfaces hold the line l: X3 = X4
+// = 0. That is two linear and two quadratic conditions on the ten coefficients, so five poses fix a surface.
 #pragma once
 
 #include <array>

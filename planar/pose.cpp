@@ -25,6 +25,13 @@ Pose pose_from_degrees(double x, double y, double angle) {
   }
 }
 
+// sin : cos of half the angle = sin : (1 + cos) = (1 - cos) : sin, whichever does not cancel.
+Pose pose_from_arrow(double tail_x, double tail_y, double tip_x, double tip_y) {
+  const double u = tip_x - tail_x, v = tip_y - tail_y, length = std::hypot(u, v);
+  const double s = u >= 0 ? v : length - u, c = u >= 0 ? length + u : v, n = std::hypot(s, c);
+  return {tail_x, tail_y, s / n, c / n};
+}
+
 double angle_of(const Pose& pose) {
   // The pair is projective: (X3, X4) and (-X3, -X4) are the same pose.
   const double angle = 2 * std::atan2(pose.X4 < 0 ? -pose.X3 : pose.X3, std::abs(pose.X4));

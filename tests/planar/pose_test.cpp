@@ -79,6 +79,21 @@ TEST(PoseFromDegrees, WholeTurnsChangeTheSignAtMost) {
   }
 }
 
+/// MECH 576, "Kinematic Mapping and the Burmester Problem", Eq. 1, which gives the cosine alone and so leaves the sign of
+/// the angle open: here it is that of the arrow.
+TEST(PoseFromArrow, HasTheArrowsAngleInAllQuadrants) {
+  for (int degrees = -179; degrees <= 180; ++degrees) {
+    const double angle = degrees * std::numbers::pi / 180;
+    const Pose pose = pose_from_arrow(3, -2, 3 + 5 * std::cos(angle), -2 + 5 * std::sin(angle));
+    EXPECT_EQ(pose.x, 3);
+    EXPECT_EQ(pose.y, -2);
+    EXPECT_NEAR(std::remainder(angle_of(pose) - angle, 2 * std::numbers::pi), 0, 1e-15) << degrees;
+    EXPECT_NEAR(std::hypot(pose.X3, pose.X4), 1, 1e-15);
+  }
+  EXPECT_EQ(pose_from_arrow(1, 1, -4, 1).X4, 0);  // a half turn, exactly
+  EXPECT_EQ(pose_from_arrow(1, 1, 7, 1).X3, 0);
+}
+
 TEST(AngleOf, IsTheAngleInTheHalfOpenInterval) {
   constexpr double pi = std::numbers::pi;
   for (int degrees = -719; degrees <= 719; ++degrees) {

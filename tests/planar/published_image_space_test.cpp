@@ -3,10 +3,12 @@
 // Zsombor-Murray. MECH 5507: M. J. D. Hayes, lecture notes ME 401 / MECH 5507, unit 3, Carleton University.
 #include <gtest/gtest.h>
 
+#include <Eigen/SVD>
 #include <numbers>
 
 #include "burmester/geometry/grassmann.hpp"
 #include "burmester/planar/constraint_curve.hpp"
+#include "burmester/planar/motion_rank.hpp"
 #include "burmester/planar/poles.hpp"
 
 namespace burmester::planar {
@@ -194,7 +196,7 @@ TEST(Mech5507, SurfaceParametrisation) {
   }
 }
 
-// ---- MECH 5507: quadric fitting, the four-bar of 40 poses (M. J. D. Hayes, S. Radacina Rusu, IFToMM 2011) ----
+// ---- MECH 5507: quadric fitting, the four-bar of 40 poses (M. J. D. Hayes, S. Radacina-Rusu, IFToMM 2011) ----
 
 const RR::Design fit_crank{{5, 0}, {3, -2}, 2}, fit_rocker{{-1, 1}, {-1, -2}, 5};
 
@@ -251,6 +253,39 @@ TEST(Mech5507QuadricFit, PosesLieOnTheCommonCurve) {
     for (const Pose& y : common.poses) nearest = std::min(nearest, std::hypot(x.x - y.x, x.y - y.y));
     EXPECT_LT(nearest, 1e-12);
   }
+}
+
+/// Rank 6: the poses leave the pencil of the two surfaces. The rows as printed, X4 = 1: ours of the same pose over 4.
+TEST(Mech5507QuadricFit, SingularValuesOfTheRows) {
+  Eigen::Matrix<double, 40, 8> C;
+  const std::vector<Pose> poses = forty_poses();
+  for (std::size_t i = 0; i < 40; ++i) {
+    const Pose& x = poses[i];
+    const Vector<double, 4> X = image_point(x) / image_point(x)[3];
+    C.row(static_cast<int>(i)) << X[0] * X[0] + X[1] * X[1], X[1] + X[0] * X[2], X[1] * X[2] - X[0], X[1] - X[0] * X[2],
+        -(X[0] + X[1] * X[2]), (1 + X[2] * X[2]) / 4, (1 - X[2] * X[2]) / 2, X[2];
+    const Vector<double, 8> ours = Family::row<double>({x.x, x.y, x.X3 / x.X4, 1}) / 4;
+    EXPECT_LT((C.row(static_cast<int>(i)).transpose() - ours).norm(), 1e-14 * ours.norm());
+  }
+  const Vector<double, 8> s = Eigen::JacobiSVD<Eigen::MatrixXd>(C).singularValues();
+  const double computed[8] = {103.05044112301279,
+                              9.761947549491175,
+                              7.580143826166289,
+                              1.298270518785426,
+                              0.2740237319009963,
+                              0.051577914290324246,
+                              0,
+                              0};
+  for (int k = 0; k < 8; ++k) EXPECT_NEAR(s[k], computed[k], 1e-12);
+  EXPECT_EQ(motion_rank(poses).rank, 6);
+}
+
+/// The circle printed for noisy points has radius sqrt(K1^2 + K2^2 - K3); printed is 0.99746, which is -K3.
+TEST(Mech5507, RadiusOfThePrintedCircle) {
+  const Circle circle = std::get<Circle>(*curve_of({1, -0.00047, 0.00027, -0.99746}));
+  EXPECT_NEAR(circle.centre[0], 0.00047, 1e-18);
+  EXPECT_NEAR(circle.centre[1], -0.00027, 1e-18);
+  EXPECT_NEAR(circle.radius, 0.998729339611088, 1e-14);
 }
 
 }  // namespace
