@@ -13,26 +13,13 @@
 #include "burmester/modules/framework/condition.hpp"
 #include "burmester/planar/anchored_basis.hpp"
 #include "burmester/planar/classify.hpp"
+#include "burmester/planar/equidistance.hpp"
 
 namespace burmester::planar {
 namespace {
 
 template <class T>
 using Correlations = std::array<Correlation<T>, 3>;
-
-/// |D p - c|^2 = |p - c|^2 for the displacement D from one pose to another, times the squared norms of their image points:
-/// p and c seen from the first pose's origin, in fixed directions and a unit of length whose inverse is `per_length`.
-template <class T>
-Correlation<T> equidistance(const Pose& from, const Pose& to, double per_length) {
-  const auto [s, c] = relative_turn<T>(from, to);
-  const T x = (T(to.x) - T(from.x)) * T(per_length), y = (T(to.y) - T(from.y)) * T(per_length);
-  const T n = s * s + c * c, cosine = c * c - s * s, sine = T(2) * s * c, versed = T(4) * s * s;
-  Correlation<T> m;
-  m << versed, T(-2) * sine, T(2) * (x * cosine + y * sine),  //
-      T(2) * sine, versed, T(2) * (y * cosine - x * sine),    //
-      T(-2) * n * x, T(-2) * n * y, n * (x * x + y * y);
-  return m;
-}
 
 class Task {
  public:
