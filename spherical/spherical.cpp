@@ -1,6 +1,6 @@
 #include "burmester/spherical/spherical.hpp"
 
-#include "burmester/spherical/family.hpp"
+#include "burmester/spherical/pivots.hpp"
 #include "burmester/spherical/pose_format.hpp"
 
 namespace burmester::spherical {
@@ -34,7 +34,17 @@ class SphericalModule final : public Module {
   }
   double task_size(const Problem&) const override { return 1; }
 
-  Synthesis synthesize(const Problem&) const override { throw NotAvailable("spherical synthesis"); }
+  Synthesis synthesize(const Problem& problem) const override {
+    std::vector<Pose> poses;
+    for (const PoseData& data : problem.poses) poses.push_back(pose_of(data));
+    Report<Dyads> report;
+    if (poses.size() < 4 || !problem.fixed.empty() || !problem.moving.empty())
+      report = solve_linear(problem, poses);
+    else
+      throw NotAvailable("spherical synthesis for four or more poses without given axes");
+    return {report.status, report.message, report.counts, records_of(report), {}, report.warnings, report.curves,
+            report.family};
+  }
   Drawing draw(const Problem&, const Synthesis&) const override { return {}; }
 
  private:
