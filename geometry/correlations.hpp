@@ -51,6 +51,14 @@ Point2<T> concurrence(const std::array<LinearForm<T>, 3>& line) {
   return best;
 }
 
+/// The partner of a point under two correlations, where its two lines of partners meet. Zero where they are one line, or
+/// where all points are partners in one of them.
+template <class T>
+Point2<T> partner(const std::array<Correlation<T>, 2>& n, const Point2<T>& p) {
+  const LinearForm<T> a = line_of_partners(n[0], p), b = line_of_partners(n[1], p);
+  return {T(a[1] * b[2] - a[2] * b[1]), T(a[2] * b[0] - a[0] * b[2]), T(a[0] * b[1] - a[1] * b[0])};
+}
+
 /// The partner of a point of that cubic. Zero where every point of a line is a partner.
 template <class T>
 Point2<T> partner(const std::array<Correlation<T>, 3>& n, const Point2<T>& p) {

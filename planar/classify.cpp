@@ -1,6 +1,6 @@
 #include "burmester/planar/classify.hpp"
 
-#include <optional>
+#include <vector>
 
 #include "burmester/geometry/quad.hpp"
 
@@ -9,35 +9,16 @@ namespace {
 
 Vector2 to_double(const auto& v) { return {static_cast<double>(v[0]), static_cast<double>(v[1])}; }
 
-struct Slider {
-  const char* type;
-  Line line;
-  double departure;
-};
-
 /// The best line through the places of a pivot; place(pose, pivot) with poses seen from the reference pose's origin, so
 /// that a far origin costs nothing.
 template <class Place>
-std::optional<Slider> line_through(const char* type, const Vector2& pivot, FivePoses poses, const Pose& reference,
-                                   Place place) {
+std::optional<Slider> line_through(const char* type, const Vector2& pivot, std::span<const Pose> poses,
+                                   const Pose& reference, Place place) {
   if (!pivot.allFinite()) return std::nullopt;
-  std::array<Vector2, 5> places;
-  for (int j = 0; j < 5; ++j) {
-    const Pose& p = poses[j];
-    places[j] = place(Pose{p.x - reference.x, p.y - reference.y, p.X3, p.X4}, pivot);
-  }
+  std::vector<Vector2> places;
+  for (const Pose& p : poses) places.push_back(place(Pose{p.x - reference.x, p.y - reference.y, p.X3, p.X4}, pivot));
   const FittedLine fit = fit_line(places);
   return Slider{type, line_of(fit), fit.departure};
-}
-
-std::optional<Slider> PR_through(const Vector2& moving, FivePoses poses, const Pose& reference) {
-  auto slider = line_through("PR", moving, poses, reference, to_fixed);
-  if (slider) slider->line.offset += slider->line.normal.dot(Vector2(reference.x, reference.y));
-  return slider;
-}
-
-std::optional<Slider> RP_through(const Vector2& fixed, FivePoses poses, const Pose& reference) {
-  return line_through("RP", fixed, poses, reference, to_moving);
 }
 
 std::optional<Slider> best_slider(const Vector2& moving, const Vector2& fixed, FivePoses poses, const Pose& reference) {
@@ -60,6 +41,16 @@ FarPivots far_pivots(const Anchored<T>& w, const Anchor& anchor) {
 }
 
 }  // namespace
+
+std::optional<Slider> PR_through(const Vector2& moving, std::span<const Pose> poses, const Pose& reference) {
+  auto slider = line_through("PR", moving, poses, reference, to_fixed);
+  if (slider) slider->line.offset += slider->line.normal.dot(Vector2(reference.x, reference.y));
+  return slider;
+}
+
+std::optional<Slider> RP_through(const Vector2& fixed, std::span<const Pose> poses, const Pose& reference) {
+  return line_through("RP", fixed, poses, reference, to_moving);
+}
 
 Line line_of(const FittedLine& fit) {
   const Vector2 normal{-fit.direction[1], fit.direction[0]};

@@ -6,6 +6,8 @@
 // that hardly moves lie on any line.
 #pragma once
 
+#include <optional>
+
 #include "burmester/geometry/line_fit.hpp"
 #include "burmester/modules/framework/report.hpp"
 #include "burmester/planar/anchored_basis.hpp"
@@ -18,6 +20,17 @@ inline constexpr double near_slider_departure = 1e-3;  ///< of the task size: an
 
 /// A fitted line by its normal.
 Line line_of(const FittedLine& fit);
+
+struct Slider {
+  const char* type;
+  Line line;
+  double departure;  ///< largest distance of a place of the pivot from the line
+};
+
+/// The best line through the places of a moving pivot, or of a fixed pivot (given from the reference pose's origin) as
+/// the body sees it, in any number of poses. Nothing for a pivot that is not finite.
+std::optional<Slider> PR_through(const Vector2& moving, std::span<const Pose> poses, const Pose& reference);
+std::optional<Slider> RP_through(const Vector2& fixed, std::span<const Pose> poses, const Pose& reference);
 
 /// Residual and condition are left to the caller. T is the number type of the root (double or Quad). `threshold`: the
 /// departure, in task sizes, up to which a slider is given.

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <vector>
 
 #include "burmester/geometry/interval.hpp"
 #include "burmester/planar/five_pose_certificate.hpp"
@@ -40,7 +41,7 @@ Point to_moving(const Pose& x, const Point& p) {
 }
 
 /// Error of a line's angle and foot against the places it stands for.
-double line_error(const Line& line, const std::array<Point, 5>& places) {
+double line_error(const Line& line, const std::vector<Point>& places) {
   double away = 0, reach = 0, spread = 0;
   for (const Point& p : places) {
     const Interval n0(line.normal[0]), n1(line.normal[1]);
@@ -60,26 +61,25 @@ double line_error(const Line& line, const std::array<Point, 5>& places) {
 
 }  // namespace
 
-double error_bound(const Dyads::Design& shown, const DyadBox& box, FivePoses poses, const Anchor& anchor) {
+double error_bound(const Dyads::Design& shown, const DyadBox& box, std::span<const Pose> poses, const Pose& reference) {
   const UpwardRounding upward;
-  const Pose& reference = poses[static_cast<std::size_t>(anchor.reference)];
   // Distances, not coordinates; roundings upward, and a step outward for those of the square root.
   const auto moving = [&](const Vector2& p) { return length(off(p[0], 0, box.moving[0]), off(p[1], 0, box.moving[1])); };
   const auto fixed = [&](const Vector2& p) {
     return length(off(p[0], reference.x, box.fixed[0]), off(p[1], reference.y, box.fixed[1]));
   };
-  std::array<Point, 5> places;
+  std::vector<Point> places;
   if (const auto* rr = std::get_if<RR::Design>(&shown))
     return length(length(moving(rr->moving), fixed(rr->fixed)), off(rr->length, 0, box.length));
   if (const auto* pr = std::get_if<PR::Design>(&shown)) {
     const Point pivot{interval_of(box.moving[0]), interval_of(box.moving[1])};
-    for (std::size_t j = 0; j < 5; ++j) places[j] = to_fixed(poses[j], pivot);
+    for (const Pose& pose : poses) places.push_back(to_fixed(pose, pivot));
     return length(moving(pr->moving), line_error(pr->line, places));
   }
   if (const auto* rp = std::get_if<RP::Design>(&shown)) {
     const Point pivot{Interval(interval_of(box.fixed[0]) + Interval(reference.x)),
                       Interval(interval_of(box.fixed[1]) + Interval(reference.y))};
-    for (std::size_t j = 0; j < 5; ++j) places[j] = to_moving(poses[j], pivot);
+    for (const Pose& pose : poses) places.push_back(to_moving(pose, pivot));
     return length(fixed(rp->fixed), line_error(rp->line, places));
   }
   return std::numeric_limits<double>::infinity();

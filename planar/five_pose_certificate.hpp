@@ -46,9 +46,10 @@ CertifiedRoots certified_five_pose_roots(FivePoses poses);
 bool sharpen(FivePoses poses, CertifiedRoots& certified);
 
 /// How far what `shown` states (pivots, length, line as in results; length units and radians, all together as one
-/// Euclidean distance) can be from the truth, given that the dyad is in the box. The line of a slider stands for the five
-/// true places of its pivot: its angle is off by at most what their distances from the line allow over their spread. Infinite where the box does not say.
-double error_bound(const Dyads::Design& shown, const DyadBox& box, FivePoses poses, const Anchor& anchor);
+/// Euclidean distance) can be from the truth, given that the dyad is in the box. The line of a slider stands for the true
+/// places of its pivot: its angle is off by at most what their distances from the line allow over their spread. Infinite
+/// where the box does not say. For any number of poses.
+double error_bound(const Dyads::Design& shown, const DyadBox& box, std::span<const Pose> poses, const Pose& reference);
 
 /// The interval rung alone: 0, 2 or 4 real dyads, -1 where intervals cannot tell. For tests and benchmarks.
 int count_by_intervals(FivePoses poses);

@@ -12,6 +12,8 @@
 #include "burmester/planar/five_pose_solver.hpp"
 #include "burmester/planar/four_pose_curves.hpp"
 #include "burmester/planar/linkage.hpp"
+#include "burmester/planar/near_curve.hpp"
+#include "burmester/planar/pivots.hpp"
 #include "burmester/planar/pose_format.hpp"
 
 namespace burmester::planar {
@@ -27,7 +29,7 @@ ModuleInfo describe() {
   info.name = Space::name;
   info.origin = "built in";
   Dyads::for_each([&]<class D>() { info.dyad_types.push_back(D::name); });
-  info.solvers = describe_solvers<FourPoseSolver, FivePoseSolver>();
+  info.solvers = describe_solvers<FamilySolver, FourPoseSolver, FivePoseSolver>();
   info.csv_headers = {{"x", "y", "angle_deg"}, {"x", "y", "angle_rad"}};
   info.point_size = 2;
   return info;
@@ -65,24 +67,31 @@ bool only_searched(const Problem& problem) {
 }
 
 PlanarReport solve(const Problem& problem, std::span<const Pose> poses) {
-  if (!problem.fixed.empty() || !problem.moving.empty())
-    throw NotAvailable("planar synthesis for given fixed or moving pivots");
   if (const double size = planar::task_size(poses); size < 1e-100)
     throw InputError(fmt::format("poses: expected origins that are equal or at least 1e-100 apart, got {}", size));
   PlanarReport report;
-  if (only_searched(problem)) {
+  const bool given = !problem.fixed.empty() || !problem.moving.empty();
+  if (given) {
+    report = GivenPivots<Pivots>(problem, poses).solve();
+  } else if (only_searched(problem)) {
     report.message = "the types asked for are found by search, which is not complete";
     report.counts.dimension = 0;
   } else if (poses.size() == 5) {
     report = FivePoseSolver{.certify = problem.certify}.solve(poses);
   } else if (poses.size() == 4) {
-    if (!problem.near.empty()) throw NotAvailable("dyads near given points of the curve of four poses");
     report = FourPoseSolver().solve(poses);
+    for (auto& found : dyads_near(std::span(poses).first<4>(), report.curves, problem.near, problem.certify))
+      report.dyads.push_back(std::move(found));
+  } else if (poses.size() < 4) {
+    report = FamilySolver{.units = problem.units}.solve(poses);
   } else {
-    throw NotAvailable(fmt::format("planar synthesis for {} poses (this version solves four and five)", poses.size()));
+    throw NotAvailable(fmt::format("planar synthesis for {} poses without given pivots", poses.size()));
   }
-  if (!problem.near.empty()) report.warnings.push_back("near: only four poses leave a choice; ignored");
-  if (!problem.weights.empty()) report.warnings.push_back("weights: up to five poses are met exactly; ignored");
+  if (!problem.near.empty() && (poses.size() != 4 || given))
+    report.warnings.push_back("near: only four poses without given pivots leave a choice; ignored");
+  if (!problem.weights.empty())
+    report.warnings.push_back(given ? "weights: fits with given pivots count all poses alike; ignored"
+                                    : "weights: up to five poses are met exactly; ignored");
   add_searched(problem, poses, report);
   sort_dyads(report);
   return report;
@@ -108,7 +117,7 @@ class PlanarModule final : public Module {
     const std::vector<Pose> poses = poses_of(problem);
     const PlanarReport report = solve(problem, poses);
     return {report.status,       report.message, report.counts, records_of(report),
-            linkages_of(report.dyads, planar::task_size(poses)), report.warnings, report.curves};
+            linkages_of(report.dyads, planar::task_size(poses)), report.warnings, report.curves, report.family};
   }
   Drawing draw(const Problem& problem, const Synthesis& answer) const override {
     return draw_synthesis(problem, answer);

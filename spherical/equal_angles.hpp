@@ -32,15 +32,22 @@ Quaternion<T> relative_rotation(const Pose& a, const Pose& b) {
           T(from[0] * d[2] - dw * v[2] - (v[0] * d[1] - v[1] * d[0]))};
 }
 
-/// N of one relative rotation, its largest entry about 1 (zero for the identity).
+/// N of one rotation.
 template <class T>
-Correlation<T> equal_angles(const Quaternion<T>& p) {
+Correlation<T> angle_kept(const Quaternion<T>& p) {
   const T &w = p[0], &x = p[1], &y = p[2], &z = p[3];
   const T xx = x * x, yy = y * y, zz = z * z, xy = x * y, yz = y * z, zx = z * x, wx = w * x, wy = w * y, wz = w * z;
   Correlation<T> n;
   n << T(-(yy + zz)), T(xy + wz), T(zx - wy),  //
       T(xy - wz), T(-(zz + xx)), T(yz + wx),   //
       T(zx + wy), T(yz - wx), T(-(xx + yy));
+  return n;
+}
+
+/// N times a power of two, its largest entry about 1 (zero for the identity).
+template <class T>
+Correlation<T> equal_angles(const Quaternion<T>& p) {
+  Correlation<T> n = angle_kept(p);
   double size = 0;
   for (int i = 0; i < 9; ++i) size = std::max(size, std::abs(approximate(n(i))));
   if (size >= std::numeric_limits<double>::min())

@@ -1,7 +1,5 @@
 #include "burmester/spherical/spherical.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "burmester/spherical/drawing.hpp"
@@ -10,6 +8,7 @@
 #include "burmester/spherical/four_pose_curves.hpp"
 #include "burmester/spherical/least_squares.hpp"
 #include "burmester/spherical/linkage.hpp"
+#include "burmester/spherical/pivots.hpp"
 #include "burmester/spherical/pose_format.hpp"
 
 namespace burmester::spherical {
@@ -49,20 +48,17 @@ void add_best_slider(std::span<const Pose> poses, SphericalReport& report) {
 }
 
 SphericalReport solve(const Problem& problem, std::span<const Pose> poses) {
-  if (!problem.fixed.empty() || !problem.moving.empty())
-    throw NotAvailable("spherical synthesis for given fixed or moving axes");
   SphericalReport report;
-  if (poses.size() > 5) {
+  if (poses.size() < 4 || !problem.fixed.empty() || !problem.moving.empty()) {
+    report = solve_linear(problem, poses);
+  } else if (poses.size() > 5) {
     report = LeastSquaresSolver{weights_of(problem)}.solve(poses);
   } else if (poses.size() == 5) {
     report = FivePoseSolver{.certify = problem.certify}.solve(poses);
     if (problem.types == std::vector<std::string>{PR::name}) add_best_slider(poses, report);
-  } else if (poses.size() == 4) {
+  } else {
     if (!problem.near.empty()) throw NotAvailable("dyads near given axes of the cone of four orientations");
     report = FourPoseSolver().solve(poses);
-  } else {
-    throw NotAvailable(
-        fmt::format("spherical synthesis for {} orientations (this version solves four and more)", poses.size()));
   }
   if (!problem.near.empty()) report.warnings.push_back("near: only four poses leave a choice; ignored");
   if (!problem.weights.empty() && poses.size() <= 5)
@@ -90,7 +86,7 @@ class SphericalModule final : public Module {
   Synthesis synthesize(const Problem& problem) const override {
     const SphericalReport report = solve(problem, poses_of(problem));
     return {report.status,   report.message, report.counts, records_of(report), linkages_of(report.dyads),
-            report.warnings, report.curves};
+            report.warnings, report.curves, report.family};
   }
   Drawing draw(const Problem& problem, const Synthesis& answer) const override {
     return draw_synthesis(problem, answer);

@@ -82,13 +82,16 @@ std::string table(std::vector<Column> columns, const std::function<std::vector<R
   return fmt::format("{}\n", fmt::join(lines, "\n"));
 }
 
+std::string line_text(const LineRecord& line, const Units& units, const Style& style) {
+  return fmt::format("{} at {} {}", point(line.point, style), number(direction(line.angle, units), style.digits),
+                     units.degrees ? "deg" : "rad");
+}
+
 std::string reach(const DyadRecord& dyad, const Units& units, const Style& style) {
   const auto angle = [&](double value) {
     return fmt::format("{} {}", number(value, style.digits), units.degrees ? "deg" : "rad");
   };
-  if (dyad.line)
-    return fmt::format("{} at {}", point(dyad.line->point, style),
-                       angle(direction(dyad.line->angle, units)));
+  if (dyad.line) return line_text(*dyad.line, units, style);
   if (dyad.length) return number(*dyad.length, style.digits);
   if (dyad.arc) return angle(shown_angle(*dyad.arc, units));
   return dyad.angle ? angle(shown_angle(*dyad.angle, units)) : "";
@@ -104,15 +107,38 @@ std::string reach_title(const std::vector<DyadRecord>& dyads) {
   return one_of(words);
 }
 
-std::string dyad_table(const Problem& problem, const Synthesis& answer, double task_size) {
+std::string pole_table(const Problem& problem, const std::vector<PoleRecord>& poles, double task_size) {
+  return table({{"poses"}, {"angle", true}, {"fixed frame"}, {"moving body"}, {"at infinity"}}, [&](int digits) {
+    const Style style{digits, 1e-9 * task_size};
+    std::vector<Row> rows;
+    for (const PoleRecord& p : poles)
+      rows.push_back({fmt::format("{}, {}", p.poses[0], p.poses[1]), number(shown_angle(p.angle, problem.units), digits),
+                      point(p.fixed, style), point(p.moving, style),
+                      p.far ? "of " + line_text(*p.far, problem.units, style) : ""});
+    return rows;
+  });
+}
+
+std::string partners_table(const Problem& problem, const std::vector<PartnersRecord>& partners, double task_size) {
+  return table({{"fixed pivot"}, {"moving pivot"}, {"on the line"}, {"perpendicular to"}}, [&](int digits) {
+    const Style style{digits, 1e-9 * task_size};
+    std::vector<Row> rows;
+    for (const PartnersRecord& p : partners)
+      rows.push_back({point(p.fixed, style), point(p.moving, style),
+                      p.line ? line_text(*p.line, problem.units, style) : "", point(p.normal, style)});
+    return rows;
+  });
+}
+
+std::string dyad_table(const Problem& problem, const std::vector<DyadRecord>& dyads, double task_size) {
   const std::vector<Column> columns = {
-      {"id", true},       {"type"},           {"fixed pivot"}, {"moving pivot"}, {reach_title(answer.dyads)},
+      {"id", true},       {"type"},           {"fixed pivot"}, {"moving pivot"}, {reach_title(dyads)},
       {"residual", true}, {"condition", true}};
   return table(columns, [&](int digits) {
     const Style style{digits, 1e-9 * task_size};
     std::vector<Row> rows;
-    for (const DyadRecord& d : answer.dyads)
-      rows.push_back({fmt::format("{}", d.id), d.type, point(d.fixed, style), point(d.moving, style),
+    for (const DyadRecord& d : dyads)
+      rows.push_back({d.id > 0 ? fmt::format("{}", d.id) : "", d.type, point(d.fixed, style), point(d.moving, style),
                       reach(d, problem.units, style), number(d.residual, 2), number(d.condition, 2)});
     return rows;
   });
@@ -133,6 +159,19 @@ std::string linkage_table(const Problem& problem, const Synthesis& answer, bool 
                       length(l.output), length(l.offset), length(l.coupler_offset)});
     return rows;
   });
+}
+
+std::string family_text(const Problem& problem, const FamilyRecord& family, double task_size) {
+  constexpr std::size_t most_samples = 12;
+  std::string out;
+  if (!family.poles.empty()) out += "\nPoles\n" + pole_table(problem, family.poles, task_size);
+  if (!family.partners.empty()) out += "\nPartners fill a line\n" + partners_table(problem, family.partners, task_size);
+  if (family.samples.empty()) return out;
+  const std::size_t shown = std::min(most_samples, family.samples.size());
+  std::vector<DyadRecord> samples;  // some of all
+  for (std::size_t k = 0; k < shown; ++k) samples.push_back(family.samples[k * family.samples.size() / shown]);
+  return out + fmt::format("\nSamples: {} of {} (--json lists all)\n", shown, family.samples.size()) +
+         dyad_table(problem, samples, task_size);
 }
 
 std::string curves_text(const std::vector<CurveRecord>& curves) {
@@ -159,7 +198,8 @@ std::string answer_text(const Problem& problem, const Synthesis& answer, double 
   std::string out;
   if (!problem.name.empty()) out += printable(problem.name, width - 2) + "\n";
   out += fmt::format("{}\n{}\n", task_text(problem), answer.message);
-  if (!answer.dyads.empty()) out += "\nDyads\n" + dyad_table(problem, answer, task_size);
+  if (!answer.dyads.empty()) out += "\nDyads\n" + dyad_table(problem, answer.dyads, task_size);
+  out += family_text(problem, answer.family, task_size);
   if (!answer.curves.empty()) out += curves_text(answer.curves);
   if (!answer.linkages.empty()) out += "\nLinkages\n" + linkage_table(problem, answer, arcs);
   return out;

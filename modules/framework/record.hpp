@@ -55,6 +55,30 @@ struct CurveRecord {
   std::vector<std::vector<double>> moving, fixed;
 };
 
+/// Where a displacement from one pose to another leaves the body's points: the pole, on the sphere the axis of rotation.
+struct PoleRecord {
+  int poses[2] = {0, 0};          ///< counted from 1
+  double angle = 0;               ///< of the rotation, radians
+  std::vector<double> fixed;      ///< the pole in the fixed frame; empty for a translation
+  std::vector<double> moving;     ///< the point of the body that is there in both poses
+  std::optional<LineRecord> far;  ///< translation: the pole is the point at infinity of this line
+};
+
+/// All partners of a given pivot where they fill a line: a straight line of the other plane, or on the sphere the great
+/// circle perpendicular to `normal`.
+struct PartnersRecord {
+  std::vector<double> fixed, moving;  ///< the given pivot is one of them, the other is empty
+  std::optional<LineRecord> line;
+  std::vector<double> normal;
+};
+
+/// What tells a family of dyads that is no curve: members, and what all members have in common.
+struct FamilyRecord {
+  std::vector<PoleRecord> poles;
+  std::vector<PartnersRecord> partners;
+  std::vector<DyadRecord> samples;  ///< of the family, without numbers: id 0
+};
+
 enum class Status { exact, approximate, family, none, degenerate };
 
 /// "exact", "approximate", ...
@@ -79,6 +103,7 @@ struct Synthesis {
   std::vector<LinkageRecord> linkages;
   std::vector<std::string> warnings;
   std::vector<CurveRecord> curves = {};
+  FamilyRecord family = {};
 };
 
 }  // namespace burmester

@@ -37,6 +37,7 @@ struct Report {
   std::vector<Found<typename List::Design>> dyads;
   std::vector<std::string> warnings;
   std::vector<CurveRecord> curves;  ///< where the dyads make a curve
+  FamilyRecord family;              ///< where they make more, or a line of partners
 };
 
 template <class A>

@@ -47,8 +47,11 @@ json line_of(const LineRecord& line, const Units& units) {
   return {{"point", line.point}, {"angle", shown_direction(line.angle, units)}};
 }
 
-json dyad_of(const DyadRecord& dyad, const Units& units) {
-  json out = {{"id", dyad.id}, {"type", dyad.type}};
+/// Without an id for members of a family, which are not numbered.
+json dyad_of(const DyadRecord& dyad, const Units& units, bool numbered = true) {
+  json out = json::object();
+  if (numbered) out["id"] = dyad.id;
+  out["type"] = dyad.type;
   if (!dyad.fixed.empty()) out["fixed"] = dyad.fixed;
   if (!dyad.moving.empty()) out["moving"] = dyad.moving;
   if (dyad.line) out["line"] = line_of(*dyad.line, units);
@@ -113,6 +116,31 @@ json curves_of(const std::vector<CurveRecord>& curves) {
   return out;
 }
 
+json pole_of(const PoleRecord& pole, const Units& units) {
+  json out = {{"poses", {pole.poses[0], pole.poses[1]}}, {"angle", shown_angle(pole.angle, units)}};
+  if (pole.far)
+    out["line"] = line_of(*pole.far, units);
+  else
+    out["fixed"] = pole.fixed, out["moving"] = pole.moving;
+  return out;
+}
+
+json partners_of(const PartnersRecord& partners, const Units& units) {
+  json out = json::object();
+  if (!partners.fixed.empty()) out["fixed"] = partners.fixed;
+  if (!partners.moving.empty()) out["moving"] = partners.moving;
+  if (partners.line) out["line"] = line_of(*partners.line, units);
+  if (!partners.normal.empty()) out["normal"] = partners.normal;
+  return out;
+}
+
+/// Keys of their own, where there is something to tell.
+void put_family(json& out, const FamilyRecord& family, const Units& units) {
+  for (const PoleRecord& pole : family.poles) out["poles"].push_back(pole_of(pole, units));
+  for (const PartnersRecord& partners : family.partners) out["partners"].push_back(partners_of(partners, units));
+  for (const DyadRecord& dyad : family.samples) out["samples"].push_back(dyad_of(dyad, units, false));
+}
+
 int rank_of(const DyadRecord& dyad) {
   constexpr std::string_view order[] = {"RR", "PR", "RP", "PP"};
   return static_cast<int>(std::find(std::begin(order), std::end(order), dyad.type) - std::begin(order));
@@ -175,6 +203,7 @@ json result_document(const Module& module, const Problem& problem, const Synthes
   out["dyads"] = json::array();
   for (const DyadRecord& dyad : answer.dyads) out["dyads"].push_back(dyad_of(dyad, units));
   if (options.curves) out["curves"] = curves_of(answer.curves);
+  if (options.curves) put_family(out, answer.family, units);
   out["linkages"] = json::array();
   for (const LinkageRecord& linkage : answer.linkages)
     out["linkages"].push_back(linkage_of(linkage, units, arcs));

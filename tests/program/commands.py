@@ -39,8 +39,7 @@ class Help(ProgramTest):
 
     def test_a_known_request_that_cannot_be_answered(self):
         line = self.refused("synthesize", "-", code=4, text=json.dumps(
-            {"geometry": "spherical", "poses": [{"axis": [0, 0, 1], "angle": 10 * i} for i in range(9)],
-             "moving": [[1, 0, 0]]}))
+            {"geometry": "planar", "poses": [[i, i * i, 10 * i] for i in range(9)]}))
         self.assertTrue(line.startswith("not available yet: "))
 
     def test_modules(self):

@@ -35,6 +35,9 @@ DYADS = {
         ((8.301095774171904, 5.083745103143986), (3.7704923622913546, -2.031867092504621), 1.1504826543331845),
         ((1.5, 2.0), (-2.0, 0.0), 2.5),
         ((15.604091215825617, -3.436157059492897), (0.22810560587606094, -0.7845456115302727), 12.16263977354195)]),
+    "mech576_three_poses": (1e-12, [
+        ((16, 0), (7.076702762857621, -14.02358240987242), 15.73827233465615),
+        ((0, 0), (7.352058590438461, -5.780259849944223), 23.62332646967654)]),
 }
 
 
@@ -98,6 +101,9 @@ class Examples(ProgramTest):
         self.near([links[2, 3]["links"][k] for k in ("ground", "input", "coupler", "output")], (14, 6, 15.5, 9), 1e-9)
         links = {tuple(l["dyads"]): l for l in self.answer("mech576_five_poses")["linkages"]}
         self.near([links[2, 3]["links"]["coupler"]], (15.26484300134219,), 1e-9)
+        links = self.answer("mech576_three_poses")["linkages"][0]["links"]
+        self.near([links[k] for k in ("ground", "input", "coupler", "output")],
+                  (16, 15.73827233465615, 8.247920202014804, 23.62332646967654), 1e-12)
         links = self.answer("hayes_2002_five_positions")["linkages"][0]["links"]
         self.near([links["ground"], links["coupler"]], (15.980, 9.9991), 1e-4)
         self.assertEqual(len(self.answer("hayes_2004_rrrp")["linkages"]), 6)

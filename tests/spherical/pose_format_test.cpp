@@ -81,14 +81,16 @@ TEST(SphericalPoseFormat, UnknownKeysAreWarnedOf) {
   EXPECT_EQ(document.warnings().size(), 1u);
 }
 
-TEST(SphericalModule, HasItsFaceAndNoSolverYet) {
+TEST(SphericalModule, HasItsFace) {
   const auto module = make_module();
   EXPECT_EQ(module->info().name, "spherical");
   EXPECT_THAT(module->info().dyad_types, ElementsAre("RR", "PR"));
   EXPECT_THAT(module->info().csv_headers, ElementsAre(ElementsAre("qw", "qx", "qy", "qz")));
   EXPECT_EQ(module->info().point_size, 3);
   EXPECT_TRUE(module->info().solvers.empty());
-  EXPECT_THROW(module->synthesize({}), NotAvailable);
+  Problem four;
+  four.poses.assign(4, {1, 0, 0, 0});
+  EXPECT_THROW(module->synthesize(four), NotAvailable);
   EXPECT_TRUE(module->draw({}, {}).poses.empty());
   EXPECT_EQ(module->task_size({}), 1);
   EXPECT_EQ(module->show_pose({1, 0, 0, 0.5}, {}).back(), (std::pair<std::string, double>("quaternion_wxyz", 0.5)));

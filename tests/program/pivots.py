@@ -1,0 +1,132 @@
+"""Two and three poses, and given pivots: families, dyads and best fits, in JSON and CSV."""
+import json
+import math
+import os
+import sys
+
+import jsonschema
+
+sys.path.insert(0, os.path.join(sys.argv[2], "tests", "support"))
+from program import ProgramTest, main, schema, strict_json  # noqa: E402
+
+POSES = [[0, 0, 0], [2, 1, 30], [3, -1, 75], [1, 4, -20], [5, 5, 5], [-3, 2, 44]]
+SPHERICAL = [{"axis": [0, 0, 1], "angle": 0}, {"axis": [0, 1, 1], "angle": 40}, {"longitude": 20, "latitude": 30, "roll": 10},
+             {"quaternion_wxyz": [1, 0.5, 0, 0.2]}]
+
+
+def problem(poses, geometry="planar", **members):
+    return json.dumps(dict({"geometry": geometry, "poses": poses}, **members))
+
+
+def place(pose, p):
+    x, y, angle = pose
+    c, s = math.cos(math.radians(angle)), math.sin(math.radians(angle))
+    return (x + c * p[0] - s * p[1], y + s * p[0] + c * p[1])
+
+
+class Pivots(ProgramTest):
+    def answer(self, text, *options):
+        document = strict_json(self.good("synthesize", "-", "--json", *options, text=text).stdout)
+        jsonschema.validate(document, schema("result"))
+        return document
+
+    def shape(self, document, status, dimension, dyads):
+        self.assertEqual((document["status"], document["solutions"]["dimension"], len(document["dyads"])),
+                         (status, dimension, dyads), document["message"])
+
+    def test_two_poses(self):
+        document = self.answer(problem(POSES[:2]))
+        self.shape(document, "family", 3, 0)
+        self.assertIn("a rotation by 30 deg about the pole", document["message"])
+        pole = document["poles"][0]
+        self.assertEqual((pole["poses"], round(pole["angle"], 9)), ([1, 2], 30))
+        for pose in POSES[:2]:
+            for got, wanted in zip(place(pose, pole["moving"]), pole["fixed"]):
+                self.assertAlmostEqual(got, wanted, delta=1e-12)
+        self.assertGreater(len(document["samples"]), 50)
+        shifted = self.answer(problem([[0, 0, 10], [3, 0, 10]]))
+        self.assertIn("a translation, its pole at infinity in the direction of 90 deg", shifted["message"])
+        self.assertEqual(shifted["poles"][0]["line"], {"point": [1.5, 0], "angle": 90})
+
+    def test_two_poses_and_a_pivot(self):
+        document = self.answer(problem(POSES[:2], moving=[[1, 1]]))
+        self.shape(document, "family", 1, 0)
+        line = document["partners"][0]["line"]
+        a, b = (place(pose, (1, 1)) for pose in POSES[:2])
+        t = math.radians(line["angle"])
+        self.assertAlmostEqual(math.cos(t) * (a[0] - b[0]) + math.sin(t) * (a[1] - b[1]), 0, delta=1e-12)
+        self.assertEqual({d["type"] for d in document["samples"]}, {"RR", "PR"})
+
+    def test_three_poses(self):
+        document = self.answer(problem(POSES[:3]))
+        self.shape(document, "family", 2, 0)
+        self.assertEqual([p["poses"] for p in document["poles"]], [[1, 2], [1, 3], [2, 3]])
+        for dyad in document["samples"]:
+            self.assertLess(dyad["residual"], 1e-9)
+
+    def test_three_poses_and_pivots(self):
+        document = self.answer(problem(POSES[:3], fixed=[[5, 0], [5, 0], [-1, 2]], moving=[[1, 1]]))
+        self.shape(document, "exact", 0, 3)
+        self.assertEqual({k: document["solutions"][k] for k in ("complex", "real", "certified")},
+                         {"complex": 3, "real": 3, "certified": True})
+        self.assertEqual(document["warnings"], ["fixed[1] is fixed[0] again: listed once"])
+        self.assertEqual(len(document["linkages"]), 3)
+        for dyad in document["dyads"]:
+            for pose in POSES[:3]:
+                self.assertAlmostEqual(math.dist(place(pose, dyad["moving"]), dyad["fixed"]), dyad["length"], delta=1e-12)
+            self.assertLess(dyad["certificate"]["radius"], 1e-13)
+        self.assertEqual(self.answer(problem(POSES[:3], fixed=[[5, 0]], types=["PR"]))["dyads"], [])
+        bare = self.answer(problem(POSES[:3], fixed=[[5, 0]]), "--no-certify")
+        self.assertFalse(bare["solutions"]["certified"] or bare["dyads"][0]["certificate"]["certified"])
+
+    def test_a_pole_is_named(self):
+        document = self.answer(problem([[0, 0, 0], [2, 4, 180], [-2, 6, 180]], fixed=[[1, 2], [7, 7]]))
+        self.shape(document, "degenerate", 1, 1)
+        self.assertIn("fixed[0]: it is the pole of poses 1 and 2, its partners fill a line", document["message"])
+
+    def test_more_poses_are_fitted(self):
+        document = self.answer(problem(POSES, fixed=[[5, 0]], moving=[[0, 0]]))
+        self.assertEqual(document["status"], "approximate")
+        self.assertEqual(sorted(d["type"] for d in document["dyads"]), ["PR", "RP", "RR", "RR"])
+        circle = [[3 * math.cos(t) + 1, 3 * math.sin(t), a] for t, a in ((0, 5), (1, 30), (2, 80), (2.5, 10), (4, 0))]
+        met = self.answer(problem(circle, moving=[[0, 0]]))
+        self.shape(met, "exact", 0, 1)
+        self.assertAlmostEqual(met["dyads"][0]["length"], 3, delta=1e-12)
+
+    def test_csv(self):
+        csv = "x,y,angle_deg\n" + "".join("%r,%r,%r\n" % tuple(pose) for pose in POSES[:3])
+        self.assertEqual(strict_json(self.good("synthesize", "-", "--json", text=csv).stdout), self.answer(problem(POSES[:3])))
+
+    def test_text(self):
+        text = self.good("synthesize", "-", text=problem(POSES[:2], moving=[[1, 1]])).stdout.decode()
+        for words in ("Poles", "Partners", "Samples"):
+            self.assertIn("\n" + words, text)
+        self.assertLessEqual(max(map(len, text.split("\n"))), 170)
+
+    def test_spherical(self):
+        two, three = SPHERICAL[:2], SPHERICAL[:3]
+        self.shape(self.answer(problem(two, "spherical")), "family", 3, 0)
+        line = self.answer(problem(two, "spherical", fixed=[[1, 2, 3]]))
+        self.shape(line, "family", 1, 0)
+        self.assertAlmostEqual(math.hypot(*line["partners"][0]["normal"]), 1, delta=1e-15)
+        self.shape(self.answer(problem(three, "spherical")), "family", 2, 0)
+        document = self.answer(problem(three, "spherical", fixed=[[1, 2, 3]], moving=[[0, 1, 0]]))
+        self.shape(document, "exact", 0, 2)
+        self.assertTrue(document["solutions"]["certified"])
+        self.assertEqual(self.answer(problem(SPHERICAL, "spherical", fixed=[[1, 2, 3]]))["status"], "approximate")
+        csv = "qw,qx,qy,qz\n1,0,0,0\n1,0.5,0,0.2\n"
+        self.assertEqual(strict_json(self.good("synthesize", "-", "--json", text=csv).stdout)["solutions"]["dimension"], 3)
+
+    def test_refused(self):
+        for text, place_of_error in ((problem(POSES[:1], fixed=[[0, 0]]), "poses: expected two or more poses"),
+                                     (problem(POSES[:3], fixed=[0, 0]), "fixed[0]"),
+                                     (problem(POSES[:3], moving=[[0, 0, 0]]), "moving[0]"),
+                                     (problem(POSES[:3], moving=[[0, "x"]]), "moving[0][1]"),
+                                     (problem(SPHERICAL[:3], "spherical", fixed=[[0, 0]]), "fixed[0]"),
+                                     (problem(SPHERICAL[:3], "spherical", moving=[[0, 0, 0]]),
+                                      "moving[0]: expected an axis that is not zero")):
+            with self.subTest(text=text):
+                self.assertIn(place_of_error, self.refused("synthesize", "-", text=text))
+
+
+main()
