@@ -2,6 +2,7 @@
 // Lengths are in the problem's unit, angles in radians (writers convert), points are as long as the geometry says.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -55,6 +56,14 @@ struct CurveRecord {
   std::vector<std::vector<double>> moving, fixed;
 };
 
+/// One of the many linkages that a curve of dyads allows. Its dyads are not among those of the answer.
+struct CandidateRecord {
+  std::array<DyadRecord, 2> dyads;
+  LinkageRecord linkage;    ///< of dyads 1 and 2
+  double link_ratio = 1;    ///< longest to shortest link
+  bool one_branch = false;  ///< passes through the poses in one circuit and branch, driven at the first dyad
+};
+
 enum class Status { exact, approximate, family, none, degenerate };
 
 /// "exact", "approximate", ...
@@ -79,6 +88,7 @@ struct Synthesis {
   std::vector<LinkageRecord> linkages;
   std::vector<std::string> warnings;
   std::vector<CurveRecord> curves = {};
+  std::vector<CandidateRecord> candidates = {};  ///< best first
 };
 
 }  // namespace burmester
