@@ -16,6 +16,7 @@
 #include "program/output_folder.hpp"
 #include "program/table.hpp"
 #include "report/figure.hpp"
+#include "report/plate_figure.hpp"
 #include "report/report.hpp"
 #include "report/svg.hpp"
 
@@ -54,6 +55,8 @@ void write_figures(const OutputFolder& folder, const Problem& problem, const Dra
   if (!drawing.poses.empty()) figures["poses.svg"] = poses_figure(drawing, problem.name, unit);
   for (const LinkageDrawing& linkage : drawing.linkages)
     figures[fmt::format("linkage_{}.svg", linkage.id)] = linkage_figure(linkage, drawing, problem.name, unit);
+  for (const Plate& plate : drawing.plates)
+    figures[plate.name + ".svg"] = plate_figure(plate, problem.name, unit);
   std::set<std::string> names;
   for (const auto& [name, text] : figures) {
     folder.write(name, text);
