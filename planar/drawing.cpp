@@ -5,6 +5,7 @@
 #include <string>
 
 #include "burmester/planar/constraint_quadric.hpp"
+#include "burmester/planar/drawing/curve_plates.hpp"
 #include "burmester/planar/drawing/motion.hpp"
 #include "burmester/planar/drawing/sketch.hpp"
 #include "burmester/planar/drawing/stage.hpp"
@@ -113,6 +114,8 @@ Drawing draw_synthesis(const Problem& problem, const Synthesis& answer) {
     const auto a = dyad_of(answer, linkage.dyads[0]), b = dyad_of(answer, linkage.dyads[1]);
     if (a && b) out.linkages.push_back(drawn(linkage.id, {*a, *b}, poses));
   }
+  if (poses.size() == 4)
+    out.plates = four_pose_plates(std::span(poses).first<4>(), answer.curves, answer.candidates);
   return out;
 }
 

@@ -8,6 +8,7 @@
 
 #include "burmester/modules/framework/condition.hpp"
 #include "burmester/modules/framework/search.hpp"
+#include "burmester/planar/curve_linkages.hpp"
 #include "burmester/planar/drawing.hpp"
 #include "burmester/planar/five_pose_solver.hpp"
 #include "burmester/planar/four_pose_curves.hpp"
@@ -116,8 +117,11 @@ class PlanarModule final : public Module {
   Synthesis synthesize(const Problem& problem) const override {
     const std::vector<Pose> poses = poses_of(problem);
     const PlanarReport report = solve(problem, poses);
-    return {report.status,       report.message, report.counts, records_of(report),
-            linkages_of(report.dyads, planar::task_size(poses)), report.warnings, report.curves, report.family};
+    Synthesis answer{report.status,       report.message, report.counts, records_of(report),
+                     linkages_of(report.dyads, planar::task_size(poses)), report.warnings, report.curves, report.family};
+    if (!report.curves.empty() && (problem.types.empty() || asked_for(problem, RR::name)))
+      answer.candidates = candidates_of(std::span(poses).first<4>(), report.curves);
+    return answer;
   }
   Drawing draw(const Problem& problem, const Synthesis& answer) const override {
     return draw_synthesis(problem, answer);

@@ -16,6 +16,7 @@
 #include "program/output_folder.hpp"
 #include "program/table.hpp"
 #include "report/figure.hpp"
+#include "report/plate_figure.hpp"
 #include "report/report.hpp"
 #include "report/sphere_figure.hpp"
 #include "report/svg.hpp"
@@ -58,6 +59,8 @@ void write_figures(const OutputFolder& folder, const Problem& problem, const Dra
   for (const SphereDrawing& sphere : drawing.spheres)
     figures[sphere.linkage == 0 ? "poses.svg" : fmt::format("linkage_{}.svg", sphere.linkage)] =
         sphere_figure(sphere, problem.name);
+  for (const Plate& plate : drawing.plates)
+    figures[plate.name + ".svg"] = plate_figure(plate, problem.name, unit);
   std::set<std::string> names;
   for (const auto& [name, text] : figures) {
     folder.write(name, text);

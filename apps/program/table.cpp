@@ -174,6 +174,31 @@ std::string family_text(const Problem& problem, const FamilyRecord& family, doub
          dyad_table(problem, samples, task_size);
 }
 
+/// The dyads of a candidate have no numbers: two lines each, one for each of its dyads.
+std::string candidate_table(const Synthesis& answer, double task_size) {
+  const std::vector<Column> columns = {{"rank", true}, {"class"},           {"one branch"},    {"link ratio", true},
+                                       {"dyad"},       {"fixed pivot"},     {"moving pivot"},  {"length", true},
+                                       {"ground", true}, {"coupler", true}};
+  return table(columns, [&](int digits) {
+    const Style style{std::min(digits, 5), 1e-9 * task_size};
+    std::vector<Row> rows;
+    for (std::size_t k = 0; k < answer.candidates.size(); ++k) {
+      const CandidateRecord& c = answer.candidates[k];
+      for (const std::size_t d : {0u, 1u}) {
+        const DyadRecord& dyad = c.dyads[d];
+        Row row = {fmt::format("{}", k + 1), c.linkage.motion_class.value_or(""), c.one_branch ? "yes" : "no",
+                   number(c.link_ratio, 3),  dyad.type, point(dyad.fixed, style), point(dyad.moving, style),
+                   number(dyad.length, style.digits), number(c.linkage.ground, style.digits),
+                   number(c.linkage.coupler, style.digits)};
+        if (d == 1)
+          for (const std::size_t shared : {0u, 1u, 2u, 3u, 8u, 9u}) row[shared] = " ";
+        rows.push_back(std::move(row));
+      }
+    }
+    return rows;
+  });
+}
+
 std::string curves_text(const std::vector<CurveRecord>& curves) {
   std::size_t points = 0;
   double error = 0;
@@ -202,6 +227,8 @@ std::string answer_text(const Problem& problem, const Synthesis& answer, double 
   out += family_text(problem, answer.family, task_size);
   if (!answer.curves.empty()) out += curves_text(answer.curves);
   if (!answer.linkages.empty()) out += "\nLinkages\n" + linkage_table(problem, answer, arcs);
+  if (!answer.candidates.empty())
+    out += "\nLinkages from pairs of points of the curves, best first\n" + candidate_table(answer, task_size);
   return out;
 }
 

@@ -67,11 +67,23 @@ struct SphereDrawing {
   std::vector<SphereView> views;
 };
 
+/// A still picture of its own. Roles: circle_points, centre_points (curves), pole, meeting (points), frame_link, bar,
+/// limit (straight links), and link, coupler, fixed_pivot, moving_pivot, frame as above. The `dyad` of a part is here its
+/// style: 0, or 1 for the other of two; of a frame the number of the pose, from 0.
+struct Plate {
+  std::string name;  ///< of its file
+  std::string title, caption;
+  std::vector<Part> parts;
+  Snapshot lines;                  ///< one polyline for each part
+  std::array<double, 4> window{};  ///< xmin, ymin, xmax, ymax
+};
+
 /// Geometries fill `poses` and `linkages`, or `spheres`.
 struct Drawing {
   std::vector<PoseDrawing> poses;
   std::vector<LinkageDrawing> linkages;
   std::vector<SphereDrawing> spheres = {};
+  std::vector<Plate> plates = {};
 };
 
 }  // namespace burmester

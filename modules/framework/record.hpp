@@ -2,6 +2,7 @@
 // Lengths are in the problem's unit, angles in radians (writers convert), points are as long as the geometry says.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -79,6 +80,14 @@ struct FamilyRecord {
   std::vector<DyadRecord> samples;  ///< of the family, without numbers: id 0
 };
 
+/// One of the many linkages that a curve of dyads allows. Its dyads are not among those of the answer.
+struct CandidateRecord {
+  std::array<DyadRecord, 2> dyads;
+  LinkageRecord linkage;    ///< of dyads 1 and 2
+  double link_ratio = 1;    ///< longest to shortest link
+  bool one_branch = false;  ///< passes through the poses in one circuit and branch, driven at the first dyad
+};
+
 enum class Status { exact, approximate, family, none, degenerate };
 
 /// "exact", "approximate", ...
@@ -104,6 +113,7 @@ struct Synthesis {
   std::vector<std::string> warnings;
   std::vector<CurveRecord> curves = {};
   FamilyRecord family = {};
+  std::vector<CandidateRecord> candidates = {};  ///< best first
 };
 
 }  // namespace burmester

@@ -70,27 +70,48 @@ json dyad_of(const DyadRecord& dyad, const Units& units, bool numbered = true) {
   return out;
 }
 
-json linkage_of(const LinkageRecord& linkage, const Units& units, bool arcs) {
+json links_of(const LinkageRecord& linkage, const Units& units, bool arcs) {
   const auto length = [&](const std::optional<double>& value) {
     return !value ? json(nullptr) : json(arcs ? shown_angle(*value, units) : *value);
   };
+  return {{"ground", length(linkage.ground)},
+          {"input", length(linkage.input)},
+          {"coupler", length(linkage.coupler)},
+          {"output", length(linkage.output)}};
+}
+
+json linkage_of(const LinkageRecord& linkage, const Units& units, bool arcs) {
+  const auto length = [&](double value) { return arcs ? shown_angle(value, units) : value; };
   json out = {{"id", linkage.id},
               {"dyads", {linkage.dyads[0], linkage.dyads[1]}},
               {"type", linkage.type},
               {"class", value_or_null(linkage.motion_class)},
-              {"links",
-               {{"ground", length(linkage.ground)},
-                {"input", length(linkage.input)},
-                {"coupler", length(linkage.coupler)},
-                {"output", length(linkage.output)}}}};
-  if (linkage.offset) out["offset"] = length(linkage.offset);
-  if (linkage.coupler_offset) out["coupler_offset"] = length(linkage.coupler_offset);
+              {"links", links_of(linkage, units, arcs)}};
+  if (linkage.offset) out["offset"] = length(*linkage.offset);
+  if (linkage.coupler_offset) out["coupler_offset"] = length(*linkage.coupler_offset);
   out["circuit_of_pose"] = nullptr;
   out["drives"] = json::array();
   out["usable"] = nullptr;
   out["verdict"] = fmt::format("{}; circuits, branches and order of poses are not analysed in this version",
                                linkage.motion_class.value_or(linkage.type));
   return out;
+}
+
+/// Dyads as in a linkage file: they have no number in this result.
+json candidate_of(const CandidateRecord& candidate, std::size_t rank, const Units& units, bool arcs) {
+  json dyads = json::array();
+  for (const DyadRecord& dyad : candidate.dyads) {
+    dyads.push_back(dyad_of(dyad, units));
+    dyads.back().erase("id");
+    dyads.back().erase("certificate");
+  }
+  return {{"rank", rank},
+          {"type", candidate.linkage.type},
+          {"class", value_or_null(candidate.linkage.motion_class)},
+          {"dyads", dyads},
+          {"links", links_of(candidate.linkage, units, arcs)},
+          {"link_ratio", candidate.link_ratio},
+          {"one_branch", candidate.one_branch}};
 }
 
 /// {x, y, angle}; a name that comes several times in a row is one array: quaternion_wxyz.
@@ -207,6 +228,8 @@ json result_document(const Module& module, const Problem& problem, const Synthes
   out["linkages"] = json::array();
   for (const LinkageRecord& linkage : answer.linkages)
     out["linkages"].push_back(linkage_of(linkage, units, arcs));
+  for (std::size_t k = 0; k < answer.candidates.size(); ++k)
+    out["candidates"].push_back(candidate_of(answer.candidates[k], k + 1, units, arcs));
   out["warnings"] = problem.warnings;
   for (const std::string& warning : answer.warnings) out["warnings"].push_back(warning);
   if (!problem.types.empty()) out["types"] = problem.types;
