@@ -17,6 +17,7 @@
 #include "program/table.hpp"
 #include "report/figure.hpp"
 #include "report/report.hpp"
+#include "report/surfaces_figure.hpp"
 #include "report/svg.hpp"
 
 namespace burmester {
@@ -54,6 +55,9 @@ void write_figures(const OutputFolder& folder, const Problem& problem, const Dra
   if (!drawing.poses.empty()) figures["poses.svg"] = poses_figure(drawing, problem.name, unit);
   for (const LinkageDrawing& linkage : drawing.linkages)
     figures[fmt::format("linkage_{}.svg", linkage.id)] = linkage_figure(linkage, drawing, problem.name, unit);
+  for (const SurfaceDrawing& surfaces : drawing.surfaces)
+    if (!surfaces.lines.empty())
+      figures[fmt::format("surfaces_{}.svg", surfaces.linkage)] = surfaces_figure(surfaces, problem.name);
   std::set<std::string> names;
   for (const auto& [name, text] : figures) {
     folder.write(name, text);

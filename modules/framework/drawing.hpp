@@ -42,9 +42,18 @@ struct PoseDrawing {
   std::array<double, 2> origin{}, x_axis{}, y_axis{};  ///< axes: unit vectors of the moving frame
 };
 
+/// The constraint surfaces of a linkage's two dyads in the image space, projected. Roles: surface (lines of a wireframe,
+/// the farthest first), axis, curve (the linkage's motion), pose (single points).
+struct SurfaceDrawing {
+  int linkage = 0;
+  std::vector<Part> parts;
+  Snapshot lines;  ///< one polyline for each part
+};
+
 struct Drawing {
   std::vector<PoseDrawing> poses;
   std::vector<LinkageDrawing> linkages;
+  std::vector<SurfaceDrawing> surfaces = {};
 };
 
 }  // namespace burmester
