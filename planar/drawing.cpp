@@ -9,6 +9,7 @@
 #include "burmester/planar/drawing/motion.hpp"
 #include "burmester/planar/drawing/sketch.hpp"
 #include "burmester/planar/drawing/stage.hpp"
+#include "burmester/planar/drawing/surfaces.hpp"
 #include "burmester/planar/pose_format.hpp"
 
 namespace burmester::planar {
@@ -80,7 +81,7 @@ void to_problem(const Stage& stage, LinkageDrawing& drawing) {
     for (Snapshot& s : m.frames) to_problem(stage, s);
 }
 
-LinkageDrawing drawn(int id, const std::array<SketchDyad, 2>& dyads, const std::vector<Pose>& poses) {
+void add_linkage(Drawing& drawing, int id, const std::array<SketchDyad, 2>& dyads, const std::vector<Pose>& poses) {
   const Stage stage = stage_of(poses, dyads[0].design, dyads[1].design);
   std::vector<Pose> on_stage;
   for (const Pose& p : poses) on_stage.push_back(stage.pose(p));
@@ -100,7 +101,8 @@ LinkageDrawing drawn(int id, const std::array<SketchDyad, 2>& dyads, const std::
   const Vector2 low = stage.in_problem(box.low), high = stage.in_problem(box.high);
   out.window = {low[0], low[1], high[0], high[1]};
   to_problem(stage, out);
-  return out;
+  drawing.linkages.push_back(std::move(out));
+  drawing.surfaces.push_back(draw_surfaces(id, small, on_stage, motions.stretches));
 }
 
 }  // namespace
@@ -112,7 +114,7 @@ Drawing draw_synthesis(const Problem& problem, const Synthesis& answer) {
   if (poses.empty()) return out;
   for (const LinkageRecord& linkage : answer.linkages) {
     const auto a = dyad_of(answer, linkage.dyads[0]), b = dyad_of(answer, linkage.dyads[1]);
-    if (a && b) out.linkages.push_back(drawn(linkage.id, {*a, *b}, poses));
+    if (a && b) add_linkage(out, linkage.id, {*a, *b}, poses);
   }
   if (poses.size() == 4)
     out.plates = four_pose_plates(std::span(poses).first<4>(), answer.curves, answer.candidates);

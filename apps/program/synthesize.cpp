@@ -19,6 +19,7 @@
 #include "report/plate_figure.hpp"
 #include "report/report.hpp"
 #include "report/sphere_figure.hpp"
+#include "report/surfaces_figure.hpp"
 #include "report/svg.hpp"
 
 namespace burmester {
@@ -61,6 +62,9 @@ void write_figures(const OutputFolder& folder, const Problem& problem, const Dra
         sphere_figure(sphere, problem.name);
   for (const Plate& plate : drawing.plates)
     figures[plate.name + ".svg"] = plate_figure(plate, problem.name, unit);
+  for (const SurfaceDrawing& surfaces : drawing.surfaces)
+    if (!surfaces.lines.empty())
+      figures[fmt::format("surfaces_{}.svg", surfaces.linkage)] = surfaces_figure(surfaces, problem.name);
   std::set<std::string> names;
   for (const auto& [name, text] : figures) {
     folder.write(name, text);

@@ -78,12 +78,21 @@ struct Plate {
   std::array<double, 4> window{};  ///< xmin, ymin, xmax, ymax
 };
 
+/// The constraint surfaces of a linkage's two dyads in the image space, projected. Roles: surface (lines of a wireframe,
+/// the farthest first), axis, curve (the linkage's motion), pose (single points).
+struct SurfaceDrawing {
+  int linkage = 0;
+  std::vector<Part> parts;
+  Snapshot lines;  ///< one polyline for each part
+};
+
 /// Geometries fill `poses` and `linkages`, or `spheres`.
 struct Drawing {
   std::vector<PoseDrawing> poses;
   std::vector<LinkageDrawing> linkages;
   std::vector<SphereDrawing> spheres = {};
   std::vector<Plate> plates = {};
+  std::vector<SurfaceDrawing> surfaces = {};
 };
 
 }  // namespace burmester

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report/figure.hpp"
+#include "report/surfaces_figure.hpp"
 #include "report/svg.hpp"
 
 namespace burmester {
@@ -108,6 +109,23 @@ TEST(WindowOf, HoldsAllPoints) {
   EXPECT_EQ(window_of({}, 0.1), (std::array<double, 4>{-1, -1, 1, 1}));
   EXPECT_EQ(window_of({{3, 4}}, 0.1), (std::array<double, 4>{2, 3, 4, 5}));
   EXPECT_EQ(window_of({{0, 0}, {10, 5}}, 0.1), (std::array<double, 4>{-1, -1, 11, 6}));
+}
+
+TEST(SurfacesFigure, ShowsBothDyadsTheCurveAndThePoses) {
+  SurfaceDrawing d;
+  d.linkage = 4;
+  d.parts = {{"surface", "", false, 2}, {"surface", "", false, 5}, {"axis", "X3", false, 0}, {"curve", "", false, 0},
+             {"pose", "1", false, 0}};
+  d.lines = {{{0, 0}, {1, 0}}, {{0, 1}, {1, 1}}, {{0, 0}, {0, 1}}, {{0, 0}, {0.5, 0.7}, {1, 1}}, {{0.5, 0.7}}};
+  const std::string svg = surfaces_figure(d, "a < b");
+  EXPECT_TRUE(svg.starts_with(figure_mark));
+  EXPECT_THAT(svg, HasSubstr("<title>Constraint surfaces of linkage 4 \u00b7 a &lt; b</title>"));
+  EXPECT_THAT(svg, HasSubstr(">dyad 2</text>"));
+  EXPECT_THAT(svg, HasSubstr(">dyad 5</text>"));
+  EXPECT_THAT(svg, HasSubstr(std::string("stroke=\"") + std::string(pose_colour(0))));
+  EXPECT_THAT(svg, HasSubstr(std::string("stroke=\"") + std::string(pose_colour(1))));
+  EXPECT_THAT(svg, HasSubstr("<circle"));
+  EXPECT_THAT(svg, Not(HasSubstr("nan")));
 }
 
 }  // namespace

@@ -110,7 +110,8 @@ class Folder(ProgramTest):
         for _ in range(2):
             answer = self.good("synthesize", example("mech576_five_poses"), "-o", out, "--json")
         self.assertIn(b"report.html", answer.stderr)
-        self.assertEqual(sorted(os.listdir(out)), sorted(["report.html", "result.json", "poses.svg"] + [f"linkage_{k}.svg" for k in range(1, 7)]))
+        self.assertEqual(sorted(os.listdir(out)), sorted(
+            ["report.html", "result.json", "poses.svg"] + [f"{figure}_{k}.svg" for k in range(1, 7) for figure in ("linkage", "surfaces")]))
         with open(os.path.join(out, "result.json"), "rb") as file:
             self.assertEqual(file.read(), answer.stdout)
         for name in os.listdir(out):
