@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -34,7 +35,7 @@ class Labels {
     double least = 1e300;
     for (const double distance : {15.0, 22.0})
       for (int k = 0; k < 12; ++k) {
-        const double angle = k * 0.5235987755982988 + 0.5;
+        const double angle = k * std::numbers::pi / 6 + 0.5;
         const Point2 at{p[0] + (distance + half_width - 4) * std::cos(angle), p[1] - distance * std::sin(angle)};
         if (const double cost = covered(at, half_width) + 0.02 * distance; cost < least) least = cost, best = at;
       }
