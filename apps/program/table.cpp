@@ -104,9 +104,16 @@ std::string reach_title(const std::vector<DyadRecord>& dyads) {
   return one_of(words);
 }
 
+/// On the sphere axes take the place of pivots.
+bool has_arcs(const Synthesis& answer) {
+  return std::any_of(answer.dyads.begin(), answer.dyads.end(),
+                     [](const DyadRecord& d) { return d.arc.has_value(); });
+}
+
 std::string dyad_table(const Problem& problem, const Synthesis& answer, double task_size) {
+  const std::string pivot = has_arcs(answer) ? " axis" : " pivot";
   const std::vector<Column> columns = {
-      {"id", true},       {"type"},           {"fixed pivot"}, {"moving pivot"}, {reach_title(answer.dyads)},
+      {"id", true},       {"type"},           {"fixed" + pivot}, {"moving" + pivot}, {reach_title(answer.dyads)},
       {"residual", true}, {"condition", true}};
   return table(columns, [&](int digits) {
     const Style style{digits, 1e-9 * task_size};
@@ -154,14 +161,12 @@ std::string task_text(const Problem& problem) {
 }  // namespace
 
 std::string answer_text(const Problem& problem, const Synthesis& answer, double task_size) {
-  const bool arcs = std::any_of(answer.dyads.begin(), answer.dyads.end(),
-                                [](const DyadRecord& d) { return d.arc.has_value(); });
   std::string out;
   if (!problem.name.empty()) out += printable(problem.name, width - 2) + "\n";
   out += fmt::format("{}\n{}\n", task_text(problem), answer.message);
   if (!answer.dyads.empty()) out += "\nDyads\n" + dyad_table(problem, answer, task_size);
   if (!answer.curves.empty()) out += curves_text(answer.curves);
-  if (!answer.linkages.empty()) out += "\nLinkages\n" + linkage_table(problem, answer, arcs);
+  if (!answer.linkages.empty()) out += "\nLinkages\n" + linkage_table(problem, answer, has_arcs(answer));
   return out;
 }
 

@@ -132,7 +132,7 @@ class Sheet {
     if (s.role == "coupler") return {body_colour, first ? 2 : 0.8, first ? 1 : 0.6};
     if (s.role == "ground") return {soft_ink, 1.6, 1, "10 3 2 3"};
     if (s.role == "path") return {body_colour, 1, 0.9, "1.5 3"};
-    return {ink, s.role == "fixed_curve" ? 1.5 : 1.2, 1, s.role == "fixed_curve" ? "" : "6 3"};
+    return {s.role == "fixed_curve" ? ink : body_colour, 1.5};
   }
 
   void lines(std::string_view role, bool near) {
@@ -263,7 +263,7 @@ class Sheet {
       if (s.role == "fixed_axis") sample(dyad_colour(s.dyad), 4, ""), entry(110, fmt::format("dyad {}", s.dyad));
     if (has("ground")) sample(soft_ink, 1.6, "10 3 2 3"), entry(110, "ground");
     if (has("fixed_curve")) sample(ink, 1.5, ""), entry(170, "curve of fixed axes");
-    if (has("moving_curve")) sample(ink, 1.2, "6 3"), entry(250, "curve of moving axes, in pose 1");
+    if (has("moving_curve")) sample(body_colour, 1.5, ""), entry(250, "curve of moving axes, in pose 1");
     sample("#8d959f", 1.4, "3 4");
     entry(120, "far side");
   }
