@@ -25,13 +25,20 @@ std::vector<SphereStroke> task_strokes(const std::vector<Pose>& poses) {
   return out;
 }
 
-/// Axes are lines: the curve and its opposite. A curve of moving axes as it lies in the first pose.
+/// Axes are lines: the curve and its opposite, unless it runs through both ends of its axes anyway. A curve of moving
+/// axes as it lies in the pose `frame`.
 void append_curve(const char* role, const std::vector<std::vector<double>>& axes, bool closed, const Pose& frame,
                   std::vector<SphereStroke>& strokes) {
-  for (const double sign : {1.0, -1.0}) {
-    SphereStroke& stroke = strokes.emplace_back(SphereStroke{.role = role, .closed = closed});
-    for (const auto& a : axes) stroke.points.push_back(coordinates(carried(frame, sign * Axis(a[0], a[1], a[2]))));
+  SphereStroke curve{.role = role, .closed = closed}, opposite = curve;
+  for (const auto& a : axes) {
+    const Axis p = carried(frame, Axis(a[0], a[1], a[2]));
+    curve.points.push_back(coordinates(p)), opposite.points.push_back(coordinates(-p));
   }
+  const bool own_opposite = std::any_of(axes.begin(), axes.end(), [&](const auto& a) {
+    return Space::distance(Axis(a[0], a[1], a[2]), -Axis(axes[0][0], axes[0][1], axes[0][2])) < arc_step / 10;
+  });
+  strokes.push_back(std::move(curve));
+  if (!own_opposite) strokes.push_back(std::move(opposite));
 }
 
 SphereDrawing task_drawing(const std::vector<Pose>& poses, const Synthesis& answer) {

@@ -130,9 +130,16 @@ std::string partners_table(const Problem& problem, const std::vector<PartnersRec
   });
 }
 
+/// On the sphere axes take the place of pivots.
+bool has_arcs(const std::vector<DyadRecord>& dyads) {
+  return std::any_of(dyads.begin(), dyads.end(),
+                     [](const DyadRecord& d) { return d.arc.has_value(); });
+}
+
 std::string dyad_table(const Problem& problem, const std::vector<DyadRecord>& dyads, double task_size) {
+  const std::string pivot = has_arcs(dyads) ? " axis" : " pivot";
   const std::vector<Column> columns = {
-      {"id", true},       {"type"},           {"fixed pivot"}, {"moving pivot"}, {reach_title(dyads)},
+      {"id", true},       {"type"},           {"fixed" + pivot}, {"moving" + pivot}, {reach_title(dyads)},
       {"residual", true}, {"condition", true}};
   return table(columns, [&](int digits) {
     const Style style{digits, 1e-9 * task_size};
@@ -218,15 +225,13 @@ std::string task_text(const Problem& problem) {
 }  // namespace
 
 std::string answer_text(const Problem& problem, const Synthesis& answer, double task_size) {
-  const bool arcs = std::any_of(answer.dyads.begin(), answer.dyads.end(),
-                                [](const DyadRecord& d) { return d.arc.has_value(); });
   std::string out;
   if (!problem.name.empty()) out += printable(problem.name, width - 2) + "\n";
   out += fmt::format("{}\n{}\n", task_text(problem), answer.message);
   if (!answer.dyads.empty()) out += "\nDyads\n" + dyad_table(problem, answer.dyads, task_size);
   out += family_text(problem, answer.family, task_size);
   if (!answer.curves.empty()) out += curves_text(answer.curves);
-  if (!answer.linkages.empty()) out += "\nLinkages\n" + linkage_table(problem, answer, arcs);
+  if (!answer.linkages.empty()) out += "\nLinkages\n" + linkage_table(problem, answer, has_arcs(answer.dyads));
   if (!answer.candidates.empty())
     out += "\nLinkages from pairs of points of the curves, best first\n" + candidate_table(answer, task_size);
   return out;

@@ -363,7 +363,7 @@ function fillHead() {
   $("warnings").hidden = !w.length;
   $("warnings").append(w.length > 1 ? h("ul", {}, w.map(x => h("li", {}, x))) : h("p", {}, w[0] || ""));
   if (spherical) $("cap-poses").append(h("b", {}, "Figure 1. "), "The task attitudes: a dot where the moving x axis pierces the unit sphere, full arrowhead towards the y axis, open towards the z axis. Far side dashed. Drag to turn.",
-    curves.length ? " Curves: fixed axes (solid) and moving axes as they lie in pose 1 (dashed)." : "");
+    curves.length ? " Curves: fixed axes (black) and moving axes as they lie in pose 1 (red)." : "");
   else $("cap-poses").append(h("b", {}, "Figure 1. "), "The moving frame in the task poses; full arrowhead: x axis, open: y axis.",
     dyads.some(planar) ? " With “dyads” ticked: every dyad in pose 1, its moving pivot in all poses." : "",
     curves.length ? " Curves: fixed pivots (solid) and moving pivots as they lie in pose 1 (dashed)." : "");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -34,7 +35,7 @@ class Labels {
     double least = 1e300;
     for (const double distance : {15.0, 22.0})
       for (int k = 0; k < 12; ++k) {
-        const double angle = k * 0.5235987755982988 + 0.5;
+        const double angle = k * std::numbers::pi / 6 + 0.5;
         const Point2 at{p[0] + (distance + half_width - 4) * std::cos(angle), p[1] - distance * std::sin(angle)};
         if (const double cost = covered(at, half_width) + 0.02 * distance; cost < least) least = cost, best = at;
       }
@@ -131,7 +132,7 @@ class Sheet {
     if (s.role == "coupler") return {body_colour, first ? 2 : 0.8, first ? 1 : 0.6};
     if (s.role == "ground") return {soft_ink, 1.6, 1, "10 3 2 3"};
     if (s.role == "path") return {body_colour, 1, 0.9, "1.5 3"};
-    return {ink, s.role == "fixed_curve" ? 1.5 : 1.2, 1, s.role == "fixed_curve" ? "" : "6 3"};
+    return {s.role == "fixed_curve" ? ink : body_colour, 1.5};
   }
 
   void lines(std::string_view role, bool near) {
@@ -262,7 +263,7 @@ class Sheet {
       if (s.role == "fixed_axis") sample(dyad_colour(s.dyad), 4, ""), entry(110, fmt::format("dyad {}", s.dyad));
     if (has("ground")) sample(soft_ink, 1.6, "10 3 2 3"), entry(110, "ground");
     if (has("fixed_curve")) sample(ink, 1.5, ""), entry(170, "curve of fixed axes");
-    if (has("moving_curve")) sample(ink, 1.2, "6 3"), entry(250, "curve of moving axes, in pose 1");
+    if (has("moving_curve")) sample(body_colour, 1.5, ""), entry(250, "curve of moving axes, in pose 1");
     sample("#8d959f", 1.4, "3 4");
     entry(120, "far side");
   }

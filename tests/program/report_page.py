@@ -57,7 +57,7 @@ class ReportPage(ProgramTest):
             text = file.read()
         pictures = []
         for key in ("x", "ArrowLeft"):  # one that means nothing, one that turns
-            press = f"""<script>document.getElementById("svg-linkage").dispatchEvent(new KeyboardEvent("keydown", {{key: "{key}"}}));</script></body>"""
+            press = f"""<script>burmesterReport.select(6); document.getElementById("svg-linkage").dispatchEvent(new KeyboardEvent("keydown", {{key: "{key}"}}));</script></body>"""
             with open(page, "w") as file:
                 file.write(text.replace("</body>", press))
             elements, console = self.open(page)

@@ -159,7 +159,7 @@ TEST(SphereDrawing, AMissedPoseIsDrawnWhereTheLinkageComesNearest) {
                 *answer.dyads[static_cast<std::size_t>(link.dyad) - 1].arc, 1e-9);
 }
 
-TEST(SphereDrawing, CurvesAreDrawnOnBothSides) {
+TEST(SphereDrawing, CurvesAreDrawnOnBothSidesOnce) {
   const SphericalExample example = testing::angeles_bai_1();
   Synthesis answer = example.answer();
   answer.curves = {{0, true, 1e-4, {{1, 0, 0}, {0, 1, 0}}, {{0, 0, 1}, {0, 0.6, 0.8}}}};
@@ -170,6 +170,8 @@ TEST(SphereDrawing, CurvesAreDrawnOnBothSides) {
   ASSERT_EQ(fixed.size(), 2u);
   ASSERT_EQ(moving.size(), 2u);
   EXPECT_LT((axis(fixed[1].points[1]) - Axis(0, -0.6, -0.8)).norm(), 1e-15);
+  answer.curves[0].fixed = {{0, 0, 1}, {0, 0.6, 0.8}, {0, 0, -1}, {0, -0.6, -0.8}};  // through both ends of its axes
+  EXPECT_EQ(strokes_of(draw_synthesis(problem, answer).spheres[0], "fixed_curve").size(), 1u);
   EXPECT_LT((axis(moving[0].points[0]) - carried(example.poses[1], Axis::UnitX())).norm(), 1e-15);
 }
 

@@ -79,8 +79,6 @@ std::vector<int> missed(const std::vector<Pairing>& pairings, const Synthesis& a
   return out;
 }
 
-json shown(const Axis& axis) { return {axis[0], axis[1], axis[2]}; }
-
 json spurious_of(const AxisPlot& plot, const char* name, const Units& units) {
   json out = json::array();
   for (const auto& c : plot.crossings)
