@@ -14,15 +14,12 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <span>
 
 #include "burmester/geometry/binary_form.hpp"
 #include "burmester/geometry/correlations.hpp"
-#include "burmester/spherical/space.hpp"
+#include "burmester/spherical/five_pose_equations.hpp"
 
 namespace burmester::spherical {
-
-using FivePoses = std::span<const Pose, 5>;
 
 /// The four equations: a^T N b' = 0.
 template <class T>
