@@ -5,6 +5,7 @@
 #include <cassert>
 
 #include "burmester/geometry/paired_curves.hpp"
+#include "burmester/modules/framework/equal_poses.hpp"
 #include "burmester/spherical/equal_angles.hpp"
 
 namespace burmester::spherical {
@@ -43,10 +44,12 @@ bool same_axis(const Quaternion<Rational>& a, const Quaternion<Rational>& b) {
 
 /// The two ways in which every axis becomes a circle axis, told exactly.
 std::string degeneracy_of(FourPoses poses) {
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = i + 1; j < 4; ++j)
-      if (equal(relative_rotation<Rational>(poses[i], poses[j])))
-        return fmt::format("orientations {} and {} are equal", i + 1, j + 1);
+  const auto same = [&](int i, int j) {
+    return equal(relative_rotation<Rational>(poses[static_cast<std::size_t>(i)], poses[static_cast<std::size_t>(j)]));
+  };
+  for (int i = 0; i < 4; ++i)
+    for (int j = i + 1; j < 4; ++j)
+      if (same(i, j)) return name_equal_poses(same, 4);
   const auto turn = [&](std::size_t j) { return relative_rotation<Rational>(poses[0], poses[j]); };
   if (same_axis(turn(1), turn(2)) && same_axis(turn(1), turn(3))) return "all rotations have one axis";
   return {};

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "burmester/modules/framework/condition.hpp"
+#include "burmester/modules/framework/curve_report.hpp"
 #include "burmester/modules/framework/search.hpp"
 #include "burmester/spherical/family.hpp"
 
@@ -114,9 +114,7 @@ std::vector<Found<typename D::Design>> best(std::span<const Pose> poses, std::sp
   std::vector<typename D::Design> starts;
   add_lifted<D>(poses, task, starts);
   add_scanned<D>(task, starts);
-  auto found = search_from<D>(starts, poses, {.tolerance = exact_residual, .weights = task.weights});
-  for (auto& f : found) f.condition = condition<D>(f.design, poses);
-  return found;
+  return search_from<D>(starts, poses, {.tolerance = exact_residual, .weights = task.weights});
 }
 
 double sum_of_squares(const PR::Design& d, std::span<const Pose> poses, std::span<const double> weights) {
@@ -138,24 +136,6 @@ bool one_axis(std::span<const Pose> poses) {
   return size[2] <= same_axis_tolerance * size[0];
 }
 
-/// An RR met exactly at an arc of 90 deg is a slider.
-Dyads::Design typed(const RR::Design& d) {
-  if (std::abs(d.arc - std::numbers::pi / 2) <= slider_arc_tolerance) return PR::Design{d.fixed, d.moving};
-  return d;
-}
-
-template <class Design>
-Found<Dyads::Design> listed(const Found<Design>& f) {
-  Found<Dyads::Design> out;
-  if constexpr (std::is_same_v<Design, RR::Design>)
-    out.design = typed(f.design);
-  else
-    out.design = f.design;
-  out.residual = f.residual, out.condition = f.condition;
-  if (std::holds_alternative<PR::Design>(out.design)) out.departure = f.residual;
-  return out;
-}
-
 }  // namespace
 
 std::vector<Found<RR::Design>> best_dyads(std::span<const Pose> poses, std::span<const double> weights) {
@@ -166,8 +146,9 @@ std::vector<Found<PR::Design>> best_sliders(std::span<const Pose> poses, std::sp
   return best<PR>(poses, weights);
 }
 
-Found<PR::Design> best_slider(std::span<const Pose> poses, std::span<const double> weights) {
+std::optional<Found<PR::Design>> best_slider(std::span<const Pose> poses, std::span<const double> weights) {
   const auto all = best_sliders(poses, weights);
+  if (all.empty()) return std::nullopt;
   return *std::min_element(all.begin(), all.end(), [&](const auto& a, const auto& b) {
     return sum_of_squares(a.design, poses, weights) < sum_of_squares(b.design, poses, weights);
   });
@@ -178,7 +159,7 @@ SphericalReport slider_report(std::span<const Pose> poses) {
   report.status = Status::approximate;
   report.message = fmt::format("no slider meets all {} orientations: the best one by least squares", poses.size());
   report.counts.dimension = 0;
-  report.dyads.push_back(listed(best_slider(poses)));
+  if (const auto slider = best_slider(poses)) report.dyads.push_back(found_slider<PR, Dyads>(slider->design, poses));
   return report;
 }
 
@@ -192,7 +173,7 @@ SphericalReport LeastSquaresSolver::solve(std::span<const Pose> poses) const {
   const auto dyads = best_dyads(poses, weights);
   report.counts.dimension = 0;
   for (const auto& f : dyads)
-    if (f.residual <= exact_residual) report.dyads.push_back(listed(f));
+    if (f.residual <= exact_residual) report.dyads.push_back(found_dyad(f.design, poses));
   const bool isolated = std::all_of(report.dyads.begin(), report.dyads.end(),
                                     [](const auto& f) { return f.condition && std::isfinite(*f.condition); });
   if (!isolated) {
@@ -211,8 +192,9 @@ SphericalReport LeastSquaresSolver::solve(std::span<const Pose> poses) const {
     return report;
   }
   report.status = Status::approximate;
-  for (const auto& f : dyads) report.dyads.push_back(listed(f));
-  report.dyads.push_back(listed(best_slider(poses, weights)));
+  for (const auto& f : dyads) report.dyads.push_back(found_dyad(f.design, poses));
+  if (const auto slider = best_slider(poses, weights))
+    report.dyads.push_back(found_slider<PR, Dyads>(slider->design, poses));
   report.message = fmt::format("no dyad meets all {} orientations: {} local best fit{} and the best slider",
                                poses.size(), dyads.size(), dyads.size() == 1 ? "" : "s");
   return report;

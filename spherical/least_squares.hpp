@@ -9,6 +9,7 @@
 // what J. Angeles, S. Bai, "A robust solution of the spherical Burmester problem", print for their example 2.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,8 +23,8 @@ namespace burmester::spherical {
 std::vector<Found<RR::Design>> best_dyads(std::span<const Pose> poses, std::span<const double> weights = {});
 std::vector<Found<PR::Design>> best_sliders(std::span<const Pose> poses, std::span<const double> weights = {});
 
-/// Of these the one whose weighted sum of squares is least.
-Found<PR::Design> best_slider(std::span<const Pose> poses, std::span<const double> weights = {});
+/// Of these the one whose weighted sum of squares is least; nothing where the fits are not isolated.
+std::optional<Found<PR::Design>> best_slider(std::span<const Pose> poses, std::span<const double> weights = {});
 
 /// The best slider alone.
 SphericalReport slider_report(std::span<const Pose> poses);

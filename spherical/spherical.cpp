@@ -37,6 +37,8 @@ std::vector<double> weights_of(const Problem& problem) {
     if (!weight) throw NotAvailable("spherical synthesis with orientations that are met exactly among more than five");
     out.push_back(*weight);
   }
+  if (std::count(out.begin(), out.end(), 0.0) + 5 >= static_cast<std::ptrdiff_t>(problem.poses.size()) && !out.empty())
+    throw NotAvailable("spherical synthesis with weights that leave fewer than six orientations");
   return out;
 }
 

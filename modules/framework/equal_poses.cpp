@@ -7,15 +7,15 @@
 
 namespace burmester {
 
-std::string name_equal_poses(const std::function<bool(int, int)>& same) {
+std::string name_equal_poses(const std::function<bool(int, int)>& same, int count) {
   std::vector<std::string> groups;
   std::array<bool, 5> seen{};
   int different = 0;
-  for (int i = 0; i < 5; ++i) {
+  for (int i = 0; i < count; ++i) {
     if (seen[i]) continue;
     ++different;
     std::vector<int> group{i + 1};
-    for (int j = i + 1; j < 5; ++j)
+    for (int j = i + 1; j < count; ++j)
       if (same(i, j)) seen[j] = true, group.push_back(j + 1);
     if (group.size() > 1) groups.push_back(fmt::format("{}", fmt::join(group, " and ")));
   }

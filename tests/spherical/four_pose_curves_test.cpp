@@ -100,8 +100,30 @@ TEST(SphericalFourPoseCurves, TheAxesOfTheSixRelativeRotationsLieOnTheCones) {
   }
 }
 
-/// The places of a circle axis, found without any cubic: those where an arc of a great circle crosses the cone.
-/// det(c1, c2, c3) of equation 10 along the arc from p to q.
+TEST(SphericalFourPoseCurves, DyadsOfFiveOrientationsLieOnAllFiveCones) {
+  Random random("SphericalFourPoseCurves.DyadsOfFiveOrientationsLieOnAllFiveCones");
+  int seen = 0;
+  for (int i = 0; i < 40; ++i) {
+    std::array<Pose, 5> five;
+    for (Pose& p : five) p = Space::random_pose(random);
+    const SphericalReport report = FivePoseSolver{.certify = false}.solve(five);
+    for (std::size_t left_out = 0; left_out < 5; ++left_out) {
+      FourPoseTask four;
+      for (std::size_t j = 0, k = 0; j < 5; ++j)
+        if (j != left_out) four[k++] = five[j];
+      const FourPoseCurves curves = four_pose_curves(four);
+      for (const auto& found : report.dyads) {
+        const auto& dyad = std::get<RR::Design>(found.design);
+        EXPECT_LT(distance(dyad.moving, curves.pieces, true), 1e-9) << i;
+        EXPECT_LT(distance(dyad.fixed, curves.pieces, false), 1e-9) << i;
+        ++seen;
+      }
+    }
+  }
+  EXPECT_GT(seen, 300);
+}
+
+/// Equation 10: zero for circle axes.
 double determinant(const FourPoseTask& task, const Axis& a) {
   Eigen::Matrix3d c;
   for (int j = 0; j < 3; ++j) c.col(j) = placed(task[static_cast<std::size_t>(j) + 1], a) - placed(task[0], a);
@@ -220,7 +242,8 @@ TEST(SphericalFourPoseCurves, DegenerateOrientationsAreNamed) {
   };
   const Pose a, b = pose_from_axis_degrees({1, 2, 3}, 40), c = pose_from_axis_degrees({3, -1, 2}, 100);
   EXPECT_EQ(message({a, b, {-2 * b.w, -2 * b.x, -2 * b.y, -2 * b.z}, c}),
-            "the circle-point curve degenerates: orientations 2 and 3 are equal");
+            "the circle-point curve degenerates: poses 2 and 3 are equal: in effect 3 poses, in general met by a "
+            "two-dimensional family of dyads");
   const auto about_z = [](double w, double z) { return Pose{w, 0, 0, z}; };
   EXPECT_EQ(message({about_z(1, 0), about_z(3, 1), about_z(2, 1), about_z(0, 1)}),
             "the circle-point curve degenerates: all rotations have one axis");
@@ -241,7 +264,8 @@ TEST(SphericalFourPoseCurves, HalfTurnsAreOrdinaryAndSymmetricSetsSplit) {
   const FourPoseTask klein{Pose{1, 0, 0, 0}, Pose{0, 1, 0, 0}, Pose{0, 0, 1, 0}, Pose{0, 0, 0, 1}};
   const SphericalReport three = FourPoseSolver().solve(klein);
   EXPECT_EQ(three.message,
-            "a curve of dyads: circle points and centre points, split into 3 great circles, in 1 component, proved");
+            "a curve of dyads: circle points and centre points, split into 3 great circles, in 1 component, proved; "
+            "infinitely many of them are sliders");
   for (const CurveRecord& piece : three.curves)
     for (const std::vector<double>& a : piece.moving) EXPECT_LT(std::abs(a[0] * a[1] * a[2]), 1e-15);
   // mirror images of each other in pairs: a great circle and a cone

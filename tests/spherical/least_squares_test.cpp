@@ -1,0 +1,235 @@
+// More orientations than a dyad can meet: fits against planted dyads, a slow search, the laws and a published slider.
+#include "burmester/spherical/least_squares.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "burmester/modules/framework/search.hpp"
+#include "burmester/spherical/pose_format.hpp"
+#include "burmester/spherical/spherical.hpp"
+
+namespace burmester::spherical {
+namespace {
+
+using ImagePoint = Space::Point<double>;
+
+ImagePoint point(const Pose& pose) { return Space::point<double>(pose); }
+Pose product(const Pose& a, const Pose& b) { return Space::pose(Space::product<double>(point(a), point(b))); }
+Pose inverse(const Pose& a) { return Space::pose(Space::conjugate<double>(point(a))); }
+Pose about(const Axis& axis, double angle) { return pose_from_axis_radians({axis[0], axis[1], axis[2]}, angle); }
+/// Of two axes, which have no direction.
+double angle(const Axis& a, const Axis& b) { return std::atan2(a.cross(b).norm(), std::abs(a.dot(b))); }
+template <class Design>
+double difference(const Design& a, const Design& b) {
+  return std::max(angle(a.fixed, b.fixed), angle(a.moving, b.moving));
+}
+
+std::vector<Pose> random_poses(Random& random, int count) {
+  std::vector<Pose> out;
+  for (int i = 0; i < count; ++i) out.push_back(Space::random_pose(random));
+  return out;
+}
+
+/// Orientations that meet a dyad: the moving axis brought to its arc from the fixed one, then turns about both.
+std::vector<Pose> planted(const RR::Design& d, Random& random, int count) {
+  const Axis across = d.fixed.unitOrthogonal();
+  const Axis place = std::cos(d.arc) * d.fixed + std::sin(d.arc) * across;
+  const Pose there = about(d.moving.cross(place), Space::distance(d.moving, place));
+  std::vector<Pose> out;
+  const auto any = [&] { return random.uniform(-std::numbers::pi, std::numbers::pi); };
+  for (int i = 0; i < count; ++i) out.push_back(product(product(about(d.fixed, any()), there), about(d.moving, any())));
+  return out;
+}
+
+template <class D>
+double sum_of_squares(const typename D::Design& d, std::span<const Pose> poses) {
+  return residuals<D>(d, poses).squaredNorm();
+}
+
+template <class D>
+double least(const std::vector<Found<typename D::Design>>& found, std::span<const Pose> poses) {
+  double out = HUGE_VAL;
+  for (const auto& f : found) out = std::min(out, sum_of_squares<D>(f.design, poses));
+  return out;
+}
+
+TEST(SphericalLeastSquares, FindPlantedDyadsExactly) {
+  Random random("SphericalLeastSquares.FindPlantedDyadsExactly");
+  for (int i = 0; i < 30; ++i) {
+    const RR::Design d = RR::random_design(random);
+    const SphericalReport report = LeastSquaresSolver().solve(planted(d, random, 6 + i % 10));
+    ASSERT_EQ(report.status, Status::exact) << i << ": " << report.message;
+    EXPECT_TRUE(std::any_of(report.dyads.begin(), report.dyads.end(), [&](const auto& f) {
+      const auto* rr = std::get_if<RR::Design>(&f.design);
+      return rr && difference(*rr, d) < 1e-12 * (1 + *f.condition);
+    })) << i;
+    for (const auto& f : report.dyads) EXPECT_LE(f.residual, exact_residual) << i;
+  }
+}
+
+TEST(SphericalLeastSquares, FindPlantedSlidersExactlyAsSliders) {
+  Random random("SphericalLeastSquares.FindPlantedSlidersExactlyAsSliders");
+  for (int i = 0; i < 10; ++i) {
+    RR::Design d = RR::random_design(random);
+    d.arc = std::numbers::pi / 2;
+    const SphericalReport report = LeastSquaresSolver().solve(planted(d, random, 7));
+    ASSERT_EQ(report.status, Status::exact) << i << ": " << report.message;
+    EXPECT_TRUE(std::any_of(report.dyads.begin(), report.dyads.end(), [&](const auto& f) {
+      const auto* pr = std::get_if<PR::Design>(&f.design);
+      return pr && difference(*pr, PR::Design{d.fixed, d.moving}) < 1e-12 * (1 + *f.condition);
+    })) << i;
+  }
+}
+
+TEST(SphericalLeastSquares, SmallErrorsMoveTheFitLittle) {
+  Random random("SphericalLeastSquares.SmallErrorsMoveTheFitLittle");
+  constexpr double error = 1e-4;
+  for (int i = 0; i < 20; ++i) {
+    const RR::Design d = RR::random_design(random);
+    std::vector<Pose> poses = planted(d, random, 12);
+    for (Pose& p : poses)
+      p = Space::nudged(p, {error * random.normal(), error * random.normal(), error * random.normal()});
+    const SphericalReport report = LeastSquaresSolver().solve(poses);
+    ASSERT_EQ(report.status, Status::approximate) << i;
+    EXPECT_TRUE(std::any_of(report.dyads.begin(), report.dyads.end(), [&](const auto& f) {
+      const auto* rr = std::get_if<RR::Design>(&f.design);
+      return rr && f.residual < 5 * error && difference(*rr, d) < 10 * error * (1 + *f.condition);
+    })) << i;
+  }
+}
+
+/// Random starts in great number are the slow oracle: no fit of theirs is better.
+TEST(SphericalLeastSquares, NoSearchFindsBetterFits) {
+  Random random("SphericalLeastSquares.NoSearchFindsBetterFits");
+  for (int i = 0; i < 20; ++i) {
+    const std::vector<Pose> poses = random_poses(random, 6 + i % 7);
+    EXPECT_LE(least<RR>(best_dyads(poses), poses), (1 + 1e-9) * least<RR>(search<RR>(poses, {.starts = 60}), poses))
+        << i;
+    const std::vector<Pose> some = random_poses(random, 5 + i % 7);
+    EXPECT_LE(sum_of_squares<PR>(best_slider(some)->design, some),
+              (1 + 1e-9) * least<PR>(search<PR>(some, {.starts = 60}), some))
+        << i;
+  }
+}
+
+/// Six orientations of which two are equal are five: every dyad of the direct solver is a fit without error.
+TEST(SphericalLeastSquares, AgreeWithTheDirectSolverWhereTwoOrientationsAreEqual) {
+  Random random("SphericalLeastSquares.AgreeWithTheDirectSolverWhereTwoOrientationsAreEqual");
+  int dyads = 0, missed = 0;
+  for (int i = 0; i < 40; ++i) {
+    std::vector<Pose> poses = random_poses(random, 5);
+    const SphericalReport direct = FivePoseSolver{.certify = false}.solve(poses);
+    poses.push_back(poses[2]);
+    const auto fits = best_dyads(poses);
+    for (const auto& f : direct.dyads) {
+      ++dyads;
+      missed += std::none_of(fits.begin(), fits.end(), [&](const auto& fit) {
+        return fit.residual < exact_residual && difference(fit.design, std::get<RR::Design>(f.design)) < 1e-8;
+      });
+    }
+  }
+  EXPECT_GT(dyads, 80);
+  EXPECT_EQ(missed, 0);
+}
+
+/// Sums of squares and axes of two sets of fits, the second moved.
+template <class D, class Moved>
+void expect_same(const std::vector<Found<typename D::Design>>& got,
+                 const std::vector<Found<typename D::Design>>& expected, Moved moved) {
+  ASSERT_EQ(got.size(), expected.size());
+  for (const auto& e : expected)
+    EXPECT_TRUE(std::any_of(got.begin(), got.end(), [&](const auto& g) {
+      return std::abs(g.residual - e.residual) < 1e-6 && difference(g.design, moved(e.design)) < 1e-5;
+    }));
+}
+
+TEST(SphericalLeastSquares, FollowTheFramesAndForgetOrderAndSign) {
+  Random random("SphericalLeastSquares.FollowTheFramesAndForgetOrderAndSign");
+  const auto same = [](const RR::Design& d) { return d; };
+  for (int i = 0; i < 10; ++i) {
+    // a dyad with errors: its fit is isolated and no other comes near
+    const std::vector<Pose> exact = planted(RR::random_design(random), random, 9);
+    std::vector<Pose> poses;
+    for (const Pose& p : exact) poses.push_back(Space::nudged(p, {1e-2 * random.normal(), 1e-2 * random.normal(), 0}));
+    const auto best_of = [](std::vector<Pose> task, std::vector<double> weights = {}) {
+      auto all = best_dyads(task, weights);
+      all.resize(1);
+      return all;
+    };
+    const auto fits = best_of(poses);
+    const Pose g = Space::random_pose(random), h = Space::random_pose(random);
+    std::vector<Pose> turned, inverted, ordered(poses.rbegin(), poses.rend()), negative = poses, twice = poses;
+    for (const Pose& p : poses) turned.push_back(product(product(g, p), inverse(h))), inverted.push_back(inverse(p));
+    negative[4] = {-2 * poses[4].w, -2 * poses[4].x, -2 * poses[4].y, -2 * poses[4].z};
+    SCOPED_TRACE(i);
+    expect_same<RR>(best_of(turned), fits, [&](const RR::Design& d) { return RR::moved(d, point(g), point(h)); });
+    expect_same<RR>(best_of(inverted), fits, [](const RR::Design& d) { return RR::inverse(d); });
+    expect_same<RR>(best_of(ordered), fits, same);
+    expect_same<RR>(best_of(negative), fits, same);
+    // a weight of 2 is the orientation twice, a weight of 0 leaves it out
+    twice.push_back(poses[3]);
+    std::vector<double> weights(9, 1);
+    weights[3] = 2;
+    expect_same<RR>(best_of(poses, weights), best_of(twice), same);
+    std::vector<Pose> without = poses;
+    without.push_back(Space::random_pose(random));
+    weights.assign(10, 1), weights[9] = 0;
+    EXPECT_LT(difference(best_of(without, weights)[0].design, fits[0].design), 1e-5);
+  }
+}
+
+TEST(SphericalLeastSquares, DegenerateOrientationsAreNamed) {
+  Random random("SphericalLeastSquares.DegenerateOrientationsAreNamed");
+  std::vector<Pose> one_axis;
+  for (int i = 0; i < 7; ++i) one_axis.push_back(about({1, 2, 2}, 0.3 * i));
+  EXPECT_EQ(LeastSquaresSolver().solve(one_axis).message,
+            "all rotations have one axis: every moving axis with that one as fixed axis meets them");
+  std::vector<Pose> four = random_poses(random, 4);
+  four.push_back(four[0]), four.push_back(four[1]);
+  const SphericalReport report = LeastSquaresSolver().solve(four);
+  EXPECT_EQ(report.status, Status::degenerate) << report.message;
+  EXPECT_TRUE(report.dyads.empty());
+}
+
+/// Example 2 of J. Angeles, S. Bai, "A robust solution of the spherical Burmester problem", from the printed axes and
+/// angles. Its row 4 is the slider; the columns of that table are exchanged: what it heads a0* is the fixed axis, as the
+/// arcs show (with the printed roles they vary by tens of degrees). It is printed in four digits, truncated:
+/// (0.0655, 0.1015, 0.9926) and (0.5221, 0.8442, -0.1208); 15 digits are the smallest singular vectors of the attitudes'
+/// 5 x 3 matrix H. Those minimise the sines of the errors, we the errors: they differ by less than 1e-9.
+TEST(SphericalLeastSquares, TheBestSliderOfExampleTwo) {
+  const std::vector<Pose> poses{Pose{}, about({-0.2280, -0.4553, -0.8606}, 0.2563),
+                                about({-0.0578, 0.2370, -0.9697}, 1.1307), about({0.5049, 0.8505, -0.1468}, 1.1938),
+                                about({0.7119, 0.6601, 0.2393}, 1.3665)};
+  const PR::Design printed{{0.5221, 0.8442, -0.1208}, {0.0655, 0.1015, 0.9926}};
+  const PR::Design computed{{0.5221208808439046, 0.844282063828581, -0.12073765975923612},
+                            {0.06558606369083067, 0.10149392515020238, 0.9926718749955331}};
+  const auto slider = best_slider(poses);
+  ASSERT_TRUE(slider);
+  EXPECT_LT(difference(slider->design, printed), 1.5e-4);  // each coordinate truncated by up to 1e-4
+  EXPECT_LT(difference(slider->design, computed), 1e-9);
+  EXPECT_NEAR(slider->residual, 0.004610868776679 * std::numbers::pi / 180, 1e-8);  // 89.995389131223 deg at pose 1
+}
+
+TEST(SphericalModule, AnswersManyOrientationsAndRefusesExactWeights) {
+  Random random("SphericalModule.AnswersManyOrientationsAndRefusesExactWeights");
+  const auto module = make_module();
+  Problem problem;
+  for (const Pose& p : random_poses(random, 8)) problem.poses.push_back({p.w, p.x, p.y, p.z});
+  EXPECT_EQ(module->synthesize(problem).status, Status::approximate);
+  problem.weights.assign(8, 1.0);
+  EXPECT_EQ(module->synthesize(problem).status, Status::approximate);
+  problem.weights[2] = std::nullopt;
+  EXPECT_THROW(module->synthesize(problem), NotAvailable);
+  problem.weights.clear(), problem.poses.resize(5), problem.types = {"PR"};
+  const Synthesis sliders = module->synthesize(problem);
+  EXPECT_EQ(sliders.status, Status::approximate);
+  ASSERT_EQ(sliders.dyads.size(), 1u);
+  EXPECT_EQ(sliders.dyads[0].type, "PR");
+}
+
+}  // namespace
+}  // namespace burmester::spherical
