@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report/figure.hpp"
+#include "report/plate_figure.hpp"
 #include "report/svg.hpp"
 
 namespace burmester {
@@ -95,6 +96,24 @@ TEST(WindowOf, HoldsAllPoints) {
   EXPECT_EQ(window_of({}, 0.1), (std::array<double, 4>{-1, -1, 1, 1}));
   EXPECT_EQ(window_of({{3, 4}}, 0.1), (std::array<double, 4>{2, 3, 4, 5}));
   EXPECT_EQ(window_of({{0, 0}, {10, 5}}, 0.1), (std::array<double, 4>{-1, -1, 11, 6}));
+}
+
+TEST(PlateFigure, DrawsItsPartsByRole) {
+  const Plate plate{"curves",
+                    "Curves",
+                    "how to read <it>",
+                    {{"circle_points", "", false, 0}, {"centre_points", "", false, 1}, {"pole", "P12"}, {"pole", "P34"},
+                     {"fixed_pivot", "A0"}, {"frame", "1", false, 0}},
+                    {{{0, 0}, {4, 0}}, {{0, 1}, {4, 1}}, {{2, 2}}, {{200, 2}}, {{1, 1}}, {{1, 0}, {0, 0}, {0, 1}}},
+                    {0, 0, 4, 3}};
+  const std::string svg = plate_figure(plate, "task", "mm");
+  EXPECT_TRUE(svg.starts_with(figure_mark));
+  EXPECT_THAT(svg, HasSubstr("<title>Curves \u00b7 task</title>"));
+  EXPECT_THAT(svg, HasSubstr("how to read &lt;it&gt;"));
+  EXPECT_THAT(svg, HasSubstr(">P<tspan dy=\"4\" font-size=\"10\">12<"));
+  EXPECT_THAT(svg, Not(HasSubstr(">34<")));  // outside the sheet
+  EXPECT_THAT(svg, HasSubstr("stroke=\"#cc79a7\""));
+  EXPECT_THAT(svg, Not(HasSubstr("nan")));
 }
 
 }  // namespace
