@@ -7,6 +7,7 @@
 //   topology_rational     proved by rationals alone
 //   topology_cgal         the same by CGAL's curve analysis, which takes any plane curve up to degree six
 //   traced                topology and about 1000 paired points with a proved error
+//   four_pose_curves      the same from poses to records of pairs, as the library gives them
 //   sampled               1000 paired points, evaluated at equal steps; nothing is proved
 //   certified             the same samples, and the tube test of the chords between them
 #include <benchmark/benchmark.h>
@@ -17,6 +18,8 @@
 #include "burmester/geometry/curve_analysis.hpp"
 #include "burmester/geometry/curve_trace.hpp"
 #include "burmester/planar/five_pose_roots.hpp"
+#include "burmester/planar/four_pose_curves.hpp"
+#include "burmester/planar/space.hpp"
 #include "burmester/planar/tasks.hpp"
 #include "positions.hpp"
 
@@ -100,6 +103,19 @@ void traced(benchmark::State& state) {
   state.counters["pieces"] = static_cast<double>(pieces) / static_cast<double>(i);
 }
 BENCHMARK(traced);
+
+void four_pose_curves(benchmark::State& state) {
+  Random random("bench.curves.four_pose_curves");
+  std::vector<std::array<planar::Pose, 4>> pool(256);
+  for (auto& poses : pool)
+    for (planar::Pose& p : poses) p = planar::Space::random_pose(random);
+  std::size_t i = 0, points = 0;
+  for (auto _ : state)
+    for (const CurveRecord& piece : planar::four_pose_curves(pool[i++ % pool.size()], {1.5e-5, 0.5, 8}).pieces)
+      points += piece.moving.size();
+  state.counters["points"] = static_cast<double>(points) / static_cast<double>(i);
+}
+BENCHMARK(four_pose_curves);
 
 /// The proved distance between chord and curve; infinite where the test fails.
 double error_of(const TubeCurve& curve, const TubePoint& x, const TubePoint& y) {

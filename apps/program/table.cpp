@@ -181,26 +181,28 @@ std::string family_text(const Problem& problem, const FamilyRecord& family, doub
          dyad_table(problem, samples, task_size);
 }
 
-/// The dyads of a candidate have no numbers: two lines each, one for each of its dyads.
+/// Two lines each, one for each dyad.
 std::string candidate_table(const Synthesis& answer, double task_size) {
-  const std::vector<Column> columns = {{"rank", true}, {"class"},           {"one branch"},    {"link ratio", true},
-                                       {"dyad"},       {"fixed pivot"},     {"moving pivot"},  {"length", true},
-                                       {"ground", true}, {"coupler", true}};
+  const std::vector<Column> columns = {
+      {"rank", true},  {"class"},        {"one branch"},   {"ratio", true},  {"fixed pivot"},
+      {"moving pivot"}, {"length", true}, {"ground", true}, {"coupler", true}};
   return table(columns, [&](int digits) {
     const Style style{std::min(digits, 5), 1e-9 * task_size};
     std::vector<Row> rows;
     for (std::size_t k = 0; k < answer.candidates.size(); ++k) {
-      const CandidateRecord& c = answer.candidates[k];
-      for (const std::size_t d : {0u, 1u}) {
-        const DyadRecord& dyad = c.dyads[d];
-        Row row = {fmt::format("{}", k + 1), c.linkage.motion_class.value_or(""), c.one_branch ? "yes" : "no",
-                   number(c.link_ratio, 3),  dyad.type, point(dyad.fixed, style), point(dyad.moving, style),
-                   number(dyad.length, style.digits), number(c.linkage.ground, style.digits),
-                   number(c.linkage.coupler, style.digits)};
-        if (d == 1)
-          for (const std::size_t shared : {0u, 1u, 2u, 3u, 8u, 9u}) row[shared] = " ";
-        rows.push_back(std::move(row));
-      }
+      const auto& [dyads, linkage, ratio, one_branch] = answer.candidates[k];
+      const auto of_dyad = [&](const DyadRecord& d) {
+        return Row{point(d.fixed, style), point(d.moving, style), number(d.length, style.digits)};
+      };
+      Row first = {fmt::format("{}", k + 1), linkage.motion_class.value_or(""), one_branch ? "yes" : "no",
+                   number(ratio, 3)};
+      for (std::string& cell : of_dyad(dyads[0])) first.push_back(std::move(cell));
+      first.push_back(number(linkage.ground, style.digits));
+      first.push_back(number(linkage.coupler, style.digits));
+      Row second(first.size(), " ");
+      std::ranges::move(of_dyad(dyads[1]), second.begin() + 4);
+      rows.push_back(std::move(first));
+      rows.push_back(std::move(second));
     }
     return rows;
   });

@@ -7,6 +7,7 @@
 
 #include "report/figure.hpp"
 #include "report/surfaces_figure.hpp"
+#include "report/plate_figure.hpp"
 #include "report/svg.hpp"
 
 namespace burmester {
@@ -125,6 +126,24 @@ TEST(SurfacesFigure, ShowsBothDyadsTheCurveAndThePoses) {
   EXPECT_THAT(svg, HasSubstr(std::string("stroke=\"") + std::string(pose_colour(0))));
   EXPECT_THAT(svg, HasSubstr(std::string("stroke=\"") + std::string(pose_colour(1))));
   EXPECT_THAT(svg, HasSubstr("<circle"));
+  EXPECT_THAT(svg, Not(HasSubstr("nan")));
+}
+
+TEST(PlateFigure, DrawsItsPartsByRole) {
+  const Plate plate{"curves",
+                    "Curves",
+                    "how to read <it>",
+                    {{"circle_points", "", false, 0}, {"centre_points", "", false, 1}, {"pole", "P12"}, {"pole", "P34"},
+                     {"fixed_pivot", "A0"}, {"frame", "1", false, 0}},
+                    {{{0, 0}, {4, 0}}, {{0, 1}, {4, 1}}, {{2, 2}}, {{200, 2}}, {{1, 1}}, {{1, 0}, {0, 0}, {0, 1}}},
+                    {0, 0, 4, 3}};
+  const std::string svg = plate_figure(plate, "task", "mm");
+  EXPECT_TRUE(svg.starts_with(figure_mark));
+  EXPECT_THAT(svg, HasSubstr("<title>Curves \u00b7 task</title>"));
+  EXPECT_THAT(svg, HasSubstr("how to read &lt;it&gt;"));
+  EXPECT_THAT(svg, HasSubstr(">P<tspan dy=\"4\" font-size=\"10\">12<"));
+  EXPECT_THAT(svg, Not(HasSubstr(">34<")));  // outside the sheet
+  EXPECT_THAT(svg, HasSubstr("stroke=\"#cc79a7\""));
   EXPECT_THAT(svg, Not(HasSubstr("nan")));
 }
 

@@ -2,6 +2,7 @@
 import glob
 import os
 import sys
+import tempfile
 
 import jsonschema
 
@@ -54,6 +55,20 @@ class Examples(ProgramTest):
             self.assertEqual(len(curve["moving"]), len(curve["fixed"]))
             self.assertLess(curve["max_error"], 1e-3)
         self.assertIn("Curves of pivots:", self.good("synthesize", example(FOUR_POSES)).stdout.decode())
+
+    def test_four_poses_give_ranked_linkages_and_figures(self):
+        document = self.answer(FOUR_POSES)
+        candidates = document["candidates"]
+        self.assertEqual([c["rank"] for c in candidates], list(range(1, 7)))
+        order = [(not c["one_branch"], c["link_ratio"]) for c in candidates]
+        self.assertEqual(order, sorted(order))
+        with tempfile.TemporaryDirectory() as folder:
+            text = self.good("synthesize", example(FOUR_POSES), "-o", folder).stdout.decode()
+            written = set(os.listdir(folder))
+        self.assertIn("Linkages from pairs of points of the curves, best first", text)
+        self.assertLess({"curves.svg", "dyad_form.svg", "compatibility_linkage.svg"}, written)
+        only_sliders = strict_json(self.good("synthesize", example(FOUR_POSES), "--json", "--types", "PR").stdout)
+        self.assertNotIn("candidates", only_sliders)
 
     def answer(self, name):
         document = strict_json(self.good("synthesize", example(name), "--json").stdout)

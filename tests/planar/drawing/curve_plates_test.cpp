@@ -1,0 +1,74 @@
+// The plates of four poses show what they say: poles on the centre-point curve, a linkage with its pivots on the curves.
+#include "burmester/planar/drawing/curve_plates.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "burmester/planar/curve_linkages.hpp"
+#include "burmester/planar/dyad_form.hpp"
+#include "four_poses.hpp"
+
+namespace burmester::planar {
+namespace {
+
+Vector2 vector_of(const std::array<double, 2>& p) { return {p[0], p[1]}; }
+
+/// The lines of all parts of a role, with the label if one is asked for.
+std::vector<Polyline> lines(const Plate& plate, const std::string& role, const std::string& label = "") {
+  std::vector<Polyline> out;
+  for (std::size_t k = 0; k < plate.parts.size(); ++k)
+    if (plate.parts[k].role == role && (label.empty() || plate.parts[k].label == label)) out.push_back(plate.lines[k]);
+  return out;
+}
+
+TEST(CurvePlates, ShowPolesAndPivotsOnTheCurves) {
+  Random random("CurvePlates.ShowPolesAndPivotsOnTheCurves");
+  for (int i = 0; i < 50; ++i) {
+    const FourPoseTask task = random_four_poses(random);
+    const auto curves = four_pose_curves(task).pieces;
+    const auto candidates = candidates_of(task, curves);
+    const auto plates = four_pose_plates(task, curves, candidates);
+    ASSERT_EQ(plates.size(), 3u) << i;
+    for (const Plate& plate : plates) {
+      ASSERT_EQ(plate.parts.size(), plate.lines.size()) << i;
+      EXPECT_LT(plate.window[0], plate.window[2]) << i;
+      EXPECT_LT(plate.window[1], plate.window[3]) << i;
+    }
+    const ExactCubics cubics(task);
+    const auto poles = lines(plates[0], "pole");
+    ASSERT_EQ(poles.size(), 6u) << i;
+    for (const Polyline& pole : poles) EXPECT_LT(cubics.distance_of_fixed(vector_of(pole[0])), 1e-10) << i;
+    if (candidates.empty()) continue;
+    const Vector2 a0 = vector_of(lines(plates[0], "fixed_pivot", "A0").at(0)[0]),
+                  a = to_moving(task[0], vector_of(lines(plates[0], "moving_pivot", "A").at(0)[0]));
+    EXPECT_LT(concyclicity(task, a, a0), 1e-12) << i;
+    EXPECT_LT(cubics.distance_of_moving(a), 1e-10) << i;
+  }
+}
+
+TEST(CurvePlates, TheCompatibilityLinkageCloses) {
+  Random random("CurvePlates.TheCompatibilityLinkageCloses");
+  for (int i = 0; i < 50; ++i) {
+    const FourPoseTask task = random_four_poses(random);
+    const Plate plate = four_pose_plates(task, {}, {}).at(1);
+    ASSERT_EQ(plate.name, "compatibility_linkage");
+    ASSERT_EQ(lines(plate, "frame_link").size(), 2u) << i;  // one for each mode
+    ASSERT_EQ(lines(plate, "bar").size(), 6u) << i;
+    const DyadForm form(task);
+    for (int j = 1; j <= 4; ++j)
+      for (const Polyline& bar : lines(plate, j == 1 ? "frame_link" : "bar", "Δ" + std::to_string(j)))
+        EXPECT_NEAR((vector_of(bar[1]) - vector_of(bar[0])).norm(),
+                    std::abs(form.delta()[static_cast<std::size_t>(j - 1)]), 1e-12 * (1 + std::abs(form.delta()[0])))
+            << i;
+    for (const std::size_t mode : {0u, 1u})  // frame, then three bars, the last back at the origin
+      EXPECT_LT(vector_of(lines(plate, "bar")[3 * mode + 2][1]).norm(), 1e-12 * (1 + std::abs(form.delta()[0]))) << i;
+  }
+}
+
+TEST(CurvePlates, DegeneratePosesHaveNone) {
+  EXPECT_TRUE(four_pose_plates(four_poses({{{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {3, 1, 0}}}), {}, {}).empty());
+}
+
+}  // namespace
+}  // namespace burmester::planar
