@@ -68,7 +68,7 @@ class View {
     const double flat = std::max({high_[0] - low_[0], high_[1] - low_[1], 0.2}),
                  tall = std::max(high_[2] - low_[2], 0.2);
     low_ -= Vector3(flat, flat, tall) * 0.3, high_ += Vector3(flat, flat, tall) * 0.3;
-    rise_ = flat / tall;
+    rise_ = 0.7 * flat / tall;
   }
   const Vector3& low() const { return low_; }
   const Vector3& high() const { return high_; }
