@@ -8,6 +8,9 @@
 //   topology_cgal         the same by CGAL's curve analysis, which takes any plane curve up to degree six
 //   traced                topology and about 1000 paired points with a proved error
 //   four_pose_curves      the same from poses to records of pairs, as the library gives them
+//   traced_one            the traced curve alone, without partners: same tolerance, longest chord and window
+//   arcs                  CGAL's arcs of it
+//   traced_arcs           the same picture from the arcs, which any plane curve up to degree six has
 //   sampled               1000 paired points, evaluated at equal steps; nothing is proved
 //   certified             the same samples, and the tube test of the chords between them
 #include <benchmark/benchmark.h>
@@ -15,6 +18,7 @@
 #include <cmath>
 #include <limits>
 
+#include "burmester/geometry/arc_trace.hpp"
 #include "burmester/geometry/curve_analysis.hpp"
 #include "burmester/geometry/curve_trace.hpp"
 #include "burmester/planar/five_pose_roots.hpp"
@@ -116,6 +120,51 @@ void four_pose_curves(benchmark::State& state) {
   state.counters["points"] = static_cast<double>(points) / static_cast<double>(i);
 }
 BENCHMARK(four_pose_curves);
+
+constexpr TraceOptions picture{1.75e-5, 0.5, 10};
+
+void traced_one(benchmark::State& state) {
+  const auto pool = tasks();
+  std::size_t i = 0, points = 0;
+  for (auto _ : state) {
+    const UpwardRounding upward;
+    const auto n = equidistant_in_plane<Interval>(pool[i++ % pool.size()]);
+    const Cubic<Interval> f = points_with_partner(n);
+    const auto branches = branches_by_intervals(f, vertex(n[0]));
+    if (!branches) continue;
+    for (const CurvePiece& piece : trace_in_plane(*branches, tube_curve(f), std::nullopt, picture).pieces)
+      points += piece.points.size();
+  }
+  state.counters["points"] = static_cast<double>(points) / static_cast<double>(i);
+}
+BENCHMARK(traced_one);
+
+std::vector<CurveArcs> prepared_arcs() {
+  std::vector<CurveArcs> out;
+  for (const FourPoses& poses : tasks()) {
+    if (out.size() == 32) break;
+    out.push_back(arcs_of(TernaryForm<Rational>(points_with_partner(equidistant_in_plane<Rational>(poses)))));
+  }
+  return out;
+}
+
+void arcs(benchmark::State& state) {
+  const auto pool = tasks();
+  std::size_t i = 0;
+  for (auto _ : state)
+    benchmark::DoNotOptimize(
+        arcs_of(TernaryForm<Rational>(points_with_partner(equidistant_in_plane<Rational>(pool[i++ % pool.size()])))));
+}
+BENCHMARK(arcs)->Unit(benchmark::kMillisecond);
+
+void traced_arcs(benchmark::State& state) {
+  const std::vector<CurveArcs> pool = prepared_arcs();
+  std::size_t i = 0, points = 0;
+  for (auto _ : state)
+    for (const CurvePiece& piece : trace_arcs(pool[i++ % pool.size()], picture).pieces) points += piece.points.size();
+  state.counters["points"] = static_cast<double>(points) / static_cast<double>(i);
+}
+BENCHMARK(traced_arcs);
 
 /// The proved distance between chord and curve; infinite where the test fails.
 double error_of(const TubeCurve& curve, const TubePoint& x, const TubePoint& y) {

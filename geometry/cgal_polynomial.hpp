@@ -11,16 +11,18 @@
 #include <CGAL/GMP_arithmetic_kernel.h>
 #include <CGAL/Gmpz.h>
 
+#include <algorithm>
 #include <iterator>
 #include <vector>
 
+#include "burmester/geometry/integer_polynomial.hpp"
 #include "burmester/geometry/plane_curve.hpp"
 #include "burmester/geometry/rational.hpp"
 
 namespace burmester::exact_curve {
 
 using RootKernel = CGAL::Algebraic_kernel_d_1<CGAL::Gmpz>;
-using Polynomial = RootKernel::Polynomial_1;
+using CgalPolynomial = RootKernel::Polynomial_1;
 using Root = RootKernel::Algebraic_real_1;
 
 constexpr int approximation_bits = 100;  ///< of irrational numbers on their way to doubles
@@ -29,8 +31,17 @@ inline Integer from_cgal(const CGAL::Gmpz& x) { return Integer(x.mpz()); }
 inline Rational from_cgal(const CGAL::Gmpq& x) { return Rational(x.mpq()); }
 inline CGAL::Gmpz to_cgal(const Integer& x) { return CGAL::Gmpz(x.backend().data()); }
 
+/// The multiple whose coefficients are integers without a common factor. Precondition: not zero.
+inline TernaryForm<Integer> integer_form(const TernaryForm<Rational>& f) {
+  TernaryForm<Integer> out(f.degree);
+  const IntegerPolynomial multiple =
+      integer_multiple(Polynomial<Rational>(std::vector<Rational>(f.coefficients.begin(), f.coefficients.end())));
+  std::copy(multiple.coefficients().begin(), multiple.coefficients().end(), out.coefficients.begin());
+  return out;
+}
+
 /// The polynomial in m that stands at s^a z^b in F(1, m + s, z): derivatives of F at infinity, divided by factorials.
-inline Polynomial at_infinity(const TernaryForm<Integer>& f, int a, int b) {
+inline CgalPolynomial at_infinity(const TernaryForm<Integer>& f, int a, int b) {
   std::vector<CGAL::Gmpz> c{0};
   Integer binomial = 1;  // j over a
   for (int j = a; j + b <= f.degree; ++j) {
@@ -38,11 +49,11 @@ inline Polynomial at_infinity(const TernaryForm<Integer>& f, int a, int b) {
     c.back() = to_cgal(binomial * f(f.degree - b - j, j));
     binomial = binomial * (j + 1) / (j + 1 - a);
   }
-  return Polynomial(c.begin(), c.end());
+  return CgalPolynomial(c.begin(), c.end());
 }
 
 /// Distinct real roots, ascending.
-inline std::vector<Root> real_roots(const Polynomial& p) {
+inline std::vector<Root> cgal_roots(const CgalPolynomial& p) {
   std::vector<Root> out;
   if (p.degree() > 0) RootKernel().solve_1_object()(p, false, std::back_inserter(out));
   return out;
@@ -65,7 +76,7 @@ inline Rational rational_value(const Root& root) {
   return RootKernel().compare_1_object()(root, candidate) == CGAL::EQUAL ? from_cgal(candidate) : middle;
 }
 
-inline Rational value(const Polynomial& p, const Rational& x) {
+inline Rational value(const CgalPolynomial& p, const Rational& x) {
   Rational out = 0;
   for (int i = p.degree(); i >= 0; --i) out = out * x + from_cgal(p[i]);
   return out;

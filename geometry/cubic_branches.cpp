@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "burmester/geometry/cubic_scene.hpp"
+#include "burmester/geometry/enclosure.hpp"
 #include "burmester/geometry/range.hpp"
 
 namespace burmester {
@@ -152,6 +153,15 @@ CubicBranches branches_by_rationals(const Cubic<Rational>& f, const Point2<Ratio
   CubicBranches out;
   out.topology.reason = "the given point is a singular point of the cubic";
   return out;
+}
+
+CubicBranches branches_of(const Cubic<Rational>& f, const Point2<Rational>& on_curve) {
+  {
+    const UpwardRounding upward;
+    const Point2<Interval> base{enclosure(on_curve[0]), enclosure(on_curve[1]), enclosure(on_curve[2])};
+    if (auto branches = branches_by_intervals(enclosure(f), base)) return std::move(*branches);
+  }
+  return branches_by_rationals(f, on_curve);
 }
 
 }  // namespace burmester

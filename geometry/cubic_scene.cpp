@@ -169,10 +169,8 @@ std::optional<CubicScene> cubic_scene(const Cubic<Rational>& given, const Point2
   if (pencil.a.is_zero()) return std::nullopt;
   const auto line = divide_by_line(pencil);
   const BinaryForm<Rational> d = pencil.discriminant();
-  Cubic<Interval> rounded;
-  for (std::size_t k = 0; k < 10; ++k) rounded.c[k] = enclosure(f.c[k]);
   const Point2<Interval> base{enclosure(on_curve[0]), enclosure(on_curve[1]), enclosure(on_curve[2])};
-  CubicScene out(CubicPencil<Interval>(rounded, base));
+  CubicScene out(CubicPencil<Interval>(enclosure(f), base));
   out.discriminant = enclosure(d);
   out.pencil.k = pencil.k, out.pencil.i = pencil.i, out.pencil.j = pencil.j;
   out.pencil.a = enclosure(pencil.a), out.pencil.b = enclosure(pencil.b), out.pencil.c = enclosure(pencil.c);

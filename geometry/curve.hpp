@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,7 @@ struct CurveTopology {
   std::vector<SingularPoint> singular;              ///< real ones
   std::vector<LinearForm<double>> lines;            ///< real lines that split off
   std::vector<Conic<double>> conics;                ///< real conics, irreducible over the reals, that split off
+  bool factors_proved = true;  ///< false: a conic whose coefficients are rational may be missing in `conics`
   std::vector<PointAtInfinity> at_infinity;         ///< real ones; none listed if the line at infinity splits off
 };
 
@@ -53,6 +55,18 @@ struct CurvePiece {
   std::vector<Point2<double>> points;    ///< in the plane (x, y, 1); on the sphere unit vectors
   std::vector<Point2<double>> partners;  ///< of the points, one by one, if the curve has a partner
 };
+
+struct TraceOptions {
+  double tolerance = 1e-4;    ///< largest max_error: a length, on the sphere an angle in radians
+  double longest = 0.25;      ///< longest chord, in the same unit
+  double window = 10;         ///< in the plane: |x| and |y| up to this, of partners too
+  int most_samples = 100000;  ///< for each branch or arc; pieces end where more would be needed
+};
+/// Throws std::invalid_argument for options that are not positive.
+inline void check(const TraceOptions& options) {
+  if (!(options.tolerance > 0) || !(options.longest > 0) || !(options.window > 0))
+    throw std::invalid_argument("tracing a curve: tolerance, longest chord and window must be positive");
+}
 
 struct TracedCurve {
   std::vector<CurvePiece> pieces;

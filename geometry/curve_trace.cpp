@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <utility>
 
 #include "burmester/geometry/range.hpp"
@@ -340,8 +339,7 @@ class Tracer {
 template <class Chart>
 TracedCurve trace(const Chart& chart, const CubicBranches& traced, const TubeCurve& curve,
                               const std::optional<PartnerCurve>& partner, const TraceOptions& options) {
-  if (!(options.tolerance > 0) || !(options.longest > 0) || !(options.window > 0))
-    throw std::invalid_argument("tracing a curve: tolerance, longest chord and window must be positive");
+  check(options);
   Tracer<Chart> tracer(chart, curve, partner, options);
   TracedCurve out;
   for (const CubicBranch& branch : traced.branches)

@@ -16,13 +16,6 @@
 
 namespace burmester {
 
-struct TraceOptions {
-  double tolerance = 1e-4;    ///< largest max_error: a length, on the sphere an angle in radians
-  double longest = 0.25;      ///< longest chord, in the same unit
-  double window = 10;         ///< in the plane: |x| and |y| up to this, of partners too
-  int most_samples = 100000;  ///< for each branch; pieces end where more would be needed
-};
-
 /// The curve of the partners: of the points p of the traced curve, c with p^T N c = 0 for three correlations N.
 struct PartnerCurve {
   std::array<Correlation<double>, 3> approximate;

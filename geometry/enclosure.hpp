@@ -1,6 +1,7 @@
 // Exact numbers as intervals of doubles. Only for targets that compile intervals.
 #pragma once
 
+#include "burmester/geometry/cubic.hpp"
 #include "burmester/geometry/interval.hpp"
 #include "burmester/geometry/rational_interval.hpp"
 
@@ -10,6 +11,12 @@ namespace burmester {
 inline Interval enclosure(const Rational& x) {
   const RationalInterval point(x);
   return {lower(point), upper(point)};
+}
+
+inline Cubic<Interval> enclosure(const Cubic<Rational>& f) {
+  Cubic<Interval> out;
+  for (std::size_t k = 0; k < 10; ++k) out.c[k] = enclosure(f.c[k]);
+  return out;
 }
 
 }  // namespace burmester

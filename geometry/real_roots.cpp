@@ -55,7 +55,7 @@ std::optional<Range> affine(const ProjectiveBox& box) {
 
 /// Disjoint boxes for all real roots, ascending, if they are finite and proved simple.
 template <int N>
-std::optional<std::vector<Range>> boxes_of_simple_roots(std::span<const Interval> coefficients) {
+std::optional<std::vector<Range>> boxes_of_degree(std::span<const Interval> coefficients) {
   std::array<Interval, N + 1> c;
   std::copy(coefficients.begin(), coefficients.end(), c.begin());
   const auto roots = simple_roots<N>(c);
@@ -72,16 +72,20 @@ std::optional<std::vector<Range>> boxes_of_simple_roots(std::span<const Interval
   return out;
 }
 
+}  // namespace
+
 std::optional<std::vector<Range>> boxes_of_simple_roots(std::span<const Interval> c) {
   std::optional<std::vector<Range>> out;
   const auto try_degree = [&]<int n>(std::integral_constant<int, n>) {
-    if (c.size() == n + 1) out = boxes_of_simple_roots<n>(c);
+    if (c.size() == n + 1) out = boxes_of_degree<n>(c);
   };
   [&]<int... n>(std::integer_sequence<int, n...>) {
     (try_degree(std::integral_constant<int, n + 1>{}), ...);
   }(std::make_integer_sequence<int, highest_degree_in_doubles>{});
   return out;
 }
+
+namespace {
 
 std::optional<std::vector<RealRoot>> roots_in_doubles(const IntegerPolynomial& p, std::span<const Interval> c) {
   const auto boxes = boxes_of_simple_roots(c);

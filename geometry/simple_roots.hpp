@@ -13,6 +13,8 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "burmester/geometry/interval.hpp"
 #include "burmester/geometry/range.hpp"
@@ -174,5 +176,9 @@ std::optional<SimpleRoots<N>> simple_roots(std::array<Interval, N + 1> c) {
   }
   return std::nullopt;
 }
+
+/// Disjoint boxes for all real roots of a polynomial (constant term first), ascending, if they are finite and proved
+/// simple. Nothing for degrees above 12.
+std::optional<std::vector<Range>> boxes_of_simple_roots(std::span<const Interval> coefficients);
 
 }  // namespace burmester

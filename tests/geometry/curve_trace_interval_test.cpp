@@ -13,6 +13,7 @@
 #include "burmester/geometry/rational_interval.hpp"
 #include "cubics.hpp"
 #include "curve_corpus.hpp"
+#include "polylines.hpp"
 #include "positions.hpp"
 
 using namespace burmester;
@@ -21,55 +22,6 @@ using namespace burmester::corpus;
 namespace {
 
 using Point = Point2<double>;
-
-int exact_sign(const Cubic<Rational>& f, const Point& p) { return *known_sign(f(cast<Rational>(p))); }
-
-/// Whether the curve meets the disc of radius e about p: exactly, where F changes its sign between two of its points.
-bool meets_disc(const Cubic<Rational>& f, const Point& p, double e) {
-  e += 0x1p-50 * p.norm();  // p itself is rounded
-  Cubic<double> rounded;
-  for (std::size_t k = 0; k < 10; ++k) rounded.c[k] = approximate(f.c[k]);
-  const Vector<double, 3> gradient = rounded.gradient(p);
-  Vector<double, 3> u = p.unitOrthogonal(), v = p.cross(u).normalized();
-  if (p[2] == 1) u = {1, 0, 0}, v = {0, 1, 0};
-  const double along_u = gradient.dot(u), along_v = gradient.dot(v), size = std::hypot(along_u, along_v);
-  if (size > 0) {
-    const Vector<double, 3> n = (along_u * u + along_v * v) / size * e;
-    if (exact_sign(f, p + n) * exact_sign(f, p - n) <= 0) return true;
-  }
-  const int sign = exact_sign(f, p);
-  for (double angle = 0; angle < 6.2; angle += 0.3)
-    if (exact_sign(f, p + e * (std::cos(angle) * u + std::sin(angle) * v)) != sign) return true;
-  return false;
-}
-
-double distance_to_chord(const Point& p, const Point& a, const Point& b) {
-  const Vector<double, 3> d = b - a;
-  const double t = std::clamp(d.dot(p - a) / d.squaredNorm(), 0.0, 1.0);
-  return (p - a - t * d).norm();
-}
-
-double distance_to_pieces(const Point& p, const std::vector<CurvePiece>& pieces, bool partners) {
-  double best = 1e300;
-  for (const CurvePiece& piece : pieces) {
-    const auto& points = partners ? piece.partners : piece.points;
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      if (k + 1 == points.size() && !piece.closed) break;
-      best = std::min(best, distance_to_chord(p, points[k], points[(k + 1) % points.size()]));
-    }
-  }
-  return best;
-}
-
-/// Random points of the chords of a piece.
-template <class Use>
-void for_points_on_chords(const std::vector<Point>& points, bool closed, Random& random, Use use) {
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    if (k + 1 == points.size() && !closed) return;
-    const double t = random.uniform();
-    use(Point((1 - t) * points[k] + t * points[(k + 1) % points.size()]));
-  }
-}
 
 struct Traced {
   CubicBranches branches;
