@@ -5,6 +5,7 @@
 #include <string>
 
 #include "burmester/planar/constraint_quadric.hpp"
+#include "burmester/planar/drawing/construction.hpp"
 #include "burmester/planar/drawing/motion.hpp"
 #include "burmester/planar/drawing/sketch.hpp"
 #include "burmester/planar/drawing/stage.hpp"
@@ -102,6 +103,18 @@ LinkageDrawing drawn(int id, const std::array<SketchDyad, 2>& dyads, const std::
   return out;
 }
 
+/// Of the dyad with this given fixed pivot, if it is listed.
+void add_constructions(Drawing& out, const std::vector<Pose>& poses, const std::vector<double>& fixed,
+                       const Synthesis& answer, int number) {
+  for (const DyadRecord& record : answer.dyads)
+    if (record.fixed == fixed)
+      if (const auto design = design_of(record)) {
+        for (auto& drawing : three_pose_constructions(poses, *design, number))
+          out.constructions.push_back(std::move(drawing));
+        return;
+      }
+}
+
 }  // namespace
 
 Drawing draw_synthesis(const Problem& problem, const Synthesis& answer) {
@@ -113,6 +126,9 @@ Drawing draw_synthesis(const Problem& problem, const Synthesis& answer) {
     const auto a = dyad_of(answer, linkage.dyads[0]), b = dyad_of(answer, linkage.dyads[1]);
     if (a && b) out.linkages.push_back(drawn(linkage.id, {*a, *b}, poses));
   }
+  if (poses.size() == 3)
+    for (std::size_t k = 0; k < problem.fixed.size(); ++k)
+      add_constructions(out, poses, problem.fixed[k], answer, static_cast<int>(k) + 1);
   return out;
 }
 

@@ -3,6 +3,7 @@
 //   drawing/chart.hpp    the image space as motions are walked in it, so that small turns draw well
 //   drawing/motion.hpp   walks through the task poses, resampled into frames
 //   drawing/sketch.hpp   what the parts of each dyad type look like
+//   drawing/construction.hpp   three poses and given fixed pivots: the constructions by inversion and by poles
 // Everything here is for the eye: a motion is a sample of a curve, and no verdict follows from it.
 #pragma once
 

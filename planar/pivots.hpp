@@ -33,6 +33,7 @@ struct Pivots {
   }
   static Found<Dyads::Design> dyad(Body given, const std::vector<double>& pivot, const Point2<Rational>& partner,
                                    std::span<const Pose> poses, bool certify);
+  static const char* complaint(const std::vector<double>& pivot);
   static std::vector<Found<Dyads::Design>> fits(Body given, const std::vector<double>& pivot,
                                                 std::span<const Pose> poses);
   static double rounding(const std::vector<double>& pivot, std::span<const Pose> poses);

@@ -54,6 +54,8 @@ void write_figures(const OutputFolder& folder, const Problem& problem, const Dra
   if (!drawing.poses.empty()) figures["poses.svg"] = poses_figure(drawing, problem.name, unit);
   for (const LinkageDrawing& linkage : drawing.linkages)
     figures[fmt::format("linkage_{}.svg", linkage.id)] = linkage_figure(linkage, drawing, problem.name, unit);
+  for (const ConstructionDrawing& construction : drawing.constructions)
+    figures[construction.name + ".svg"] = construction_figure(construction, problem.name, unit);
   std::set<std::string> names;
   for (const auto& [name, text] : figures) {
     folder.write(name, text);

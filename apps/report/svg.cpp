@@ -188,7 +188,7 @@ std::string Svg::finish() const {
 <title>{3}</title>
 <style>.halo{{paint-order:stroke;stroke:#fff;stroke-width:3px;stroke-linejoin:round}}</style>
 <rect y="{2}" width="{0}" height="{1}" fill="#fff"/>
-<text x="14" y="-16" font-size="16" fill="{4}">{3}</text>
+<text x="14" y="-16" font-size="16" class="halo" fill="{4}">{3}</text>
 {5}</svg>
 )",
       number(width_), number(height_ + head), number(-head), escaped(printable(title_, 90)), ink, body_,
