@@ -1,8 +1,8 @@
 // The plane's part of two and three poses and of given pivots (modules/framework/given_pivots.hpp has the rest).
 //
-// The pivot of an RR dyad is at the same distance from its partner in every pose (planar/equidistance.hpp). A partner at
-// infinity makes a slider: PR for a given moving pivot, RP for a given fixed one. Everything is seen from pose 1's origin
-// in directions of S until it is shown.
+// The pivot of an RR dyad is at the same distance from its partner in every pose (planar/equidistance.hpp). A partner
+// at infinity makes a slider: PR for a given moving pivot, RP for a given fixed one. Everything is seen from pose 1's
+// origin in directions of S until it is shown.
 #pragma once
 
 #include "burmester/modules/framework/given_pivots.hpp"

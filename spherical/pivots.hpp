@@ -1,8 +1,8 @@
 // The sphere's part of two and three orientations and of given axes (modules/framework/given_pivots.hpp has the rest).
 //
-// The axis of an RR dyad keeps its angle from its partner in every pose (spherical/equidistance.hpp); a partner at 90 deg
-// makes a slider. Axes are seen from the fixed frame, the moving ones in pose 1, until they are shown. Given axes may have
-// any length but zero.
+// The axis of an RR dyad keeps its angle from its partner in every pose (spherical/equidistance.hpp); a partner at 90
+// deg makes a slider. Axes are seen from the fixed frame, the moving ones in pose 1, until they are shown. Given axes
+// may have any length but zero.
 #pragma once
 
 #include "burmester/modules/framework/given_pivots.hpp"

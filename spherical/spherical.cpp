@@ -13,6 +13,9 @@ ModuleInfo describe() {
   Dyads::for_each([&]<class D>() { info.dyad_types.push_back(D::name); });
   info.type_aliases = {{"RP", "PR"}};  // a slider is its own inverse
   info.csv_headers = {{"qw", "qx", "qy", "qz"}};
+  info.solvers = {{"two and three orientations, linear",
+                   "the family of dyads with its axes of rotation; the dyad, or the best fits to more orientations, for "
+                   "given fixed and moving axes"}};
   info.point_size = Space::feature_size;
   return info;
 }

@@ -151,8 +151,8 @@ class ConstructionFigure {
       : drawing_(drawing), svg_(drawing.window, title) {}
 
   std::string draw(const std::string& unit) {
-    for (const std::string_view role : {"circle", "bisector", "chord", "arc", "link", "frame", "image", "pole", "constructed",
-                                        "given"})
+    for (const std::string_view role :
+         {"circle", "bisector", "chord", "arc", "link", "frame", "image", "pole", "constructed", "given"})
       for (std::size_t k = 0; k < drawing_.parts.size(); ++k)
         if (drawing_.parts[k].role == role) part(drawing_.parts[k], placed(k));
     svg_.scale_bar(unit);

@@ -11,6 +11,7 @@ namespace burmester {
 std::string poses_figure(const Drawing& drawing, const std::string& task, const std::string& unit);
 std::string linkage_figure(const LinkageDrawing& linkage, const Drawing& drawing, const std::string& task,
                            const std::string& unit);
-std::string construction_figure(const ConstructionDrawing& construction, const std::string& task, const std::string& unit);
+std::string construction_figure(const ConstructionDrawing& construction, const std::string& task,
+                                const std::string& unit);
 
 }  // namespace burmester

@@ -42,9 +42,9 @@ struct PoseDrawing {
   std::array<double, 2> origin{}, x_axis{}, y_axis{};  ///< axes: unit vectors of the moving frame
 };
 
-/// A geometric construction, finished: the points and lines that lead to a pivot. Roles: given, image, pole, constructed
-/// (points), bisector (a straight line through two points), chord, arc, link, circle, frame (x tip, origin, y tip of the
-/// moving frame). The `dyad` of a part is here the pose it belongs to, 0 for none.
+/// A geometric construction, finished: the points and lines that lead to a pivot. Roles: given, image, pole,
+/// constructed (points), bisector (a straight line through two points), chord, arc, link, circle, frame (x tip, origin,
+/// y tip of the moving frame). The `dyad` of a part is here the pose it belongs to, 0 for none.
 struct ConstructionDrawing {
   std::string name;     ///< of its file
   std::string title;

@@ -1,5 +1,5 @@
-// Two and three poses, and given pivots: dyads that follow from linear equations, in any geometry whose displacements are
-// correlations.
+// Two and three poses, and given pivots: dyads that follow from linear equations, in any geometry whose displacements
+// are correlations.
 //
 // n poses give n - 1 equations p^T N_j c = 0 on the moving pivot p and the fixed pivot c, both seen from pose 1
 // (geometry/correlations.hpp). For a given p, or a given c with N_j transposed, each is a line of partners: the
@@ -9,8 +9,8 @@
 //                   S. Bai), in the plane the circumcentre of three places (MECH 576, section 5.1),
 //     more          in general none: the best fit over all circles and lines is listed.
 // The pivot that two poses bring to one place is their pole, and its line is not determined: infinitely many partners.
-// Three poses are solved in rationals, for the data as they stand. Whether the data determine the partner at all is asked
-// of data known to within a rounding: where the box of the partner then holds no direction, the reason is named.
+// Three poses are solved in rationals, for the data as they stand. Whether the data determine the partner at all is
+// asked of data known to within a rounding: where the box of the partner then holds no direction, the reason is named.
 //
 // G, the geometry's part (planar/pivots.hpp, spherical/pivots.hpp): see PivotGeometry below.
 #pragma once

@@ -47,7 +47,10 @@ class Construction {
     sheet.drawing.caption =
         "P12 and P13: where the bisectors of the paths of an arrow's tail and tip meet. M turned back about them comes "
         "to "
-        "M2 and M3; the bisectors of M M2 and M M3 pass through the poles and meet in the moving pivot A1.";
+        "M2 and M3; the bisectors of M M2 and M M3 pass through the poles and meet in the moving pivot A1. P'23, the "
+        "image "
+        "pole: the point of the body at the pole of poses 2 and 3, as it lies in pose 1; M2 turned about it comes to "
+        "M3.";
     for (std::size_t j = 1; j < 3; ++j) {
       for (const double tip : {0.0, arrow_}) {
         const Vector2 from = to_fixed(poses_[0], {tip, 0}), to = to_fixed(poses_[j], {tip, 0});
@@ -61,6 +64,12 @@ class Construction {
         sheet.add("pole", j + 1, {at}, "P1" + std::to_string(j + 1));
       }
       bisector(sheet, 0, given_, image(j));
+    }
+    if (const auto pole = Pivots::pole_of(poses_[1], poses_[2]); pole && !pole->far) {
+      const Vector2 at = to_fixed(poses_[0], Vector2(pole->moving[0], pole->moving[1]));
+      sheet.add("arc", 0, arc(at, image(1), -pole->angle));
+      sheet.add("pole", 0, {at}, "P'23");
+      bisector(sheet, 0, image(1), image(2));
     }
     finish(sheet);
     if (moving_) sheet.add("link", 1, {given_, place(0)});

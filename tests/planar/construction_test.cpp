@@ -61,9 +61,9 @@ TEST(Construction, PolesLeadToTheSamePivot) {
   const auto poles = lines_of(drawing, "pole"), bisectors = lines_of(drawing, "bisector"),
              arcs = lines_of(drawing, "arc");
   const Vector2 pivot = lines_of(drawing, "constructed").at(0)[0];
-  ASSERT_EQ(poles.size(), 2u);
-  ASSERT_EQ(bisectors.size(), 6u);
-  ASSERT_EQ(arcs.size(), 2u);
+  ASSERT_EQ(poles.size(), 3u);
+  ASSERT_EQ(bisectors.size(), 7u);
+  ASSERT_EQ(arcs.size(), 3u);
   const auto images = lines_of(drawing, "image");
   for (std::size_t j = 0; j < 2; ++j) {
     for (std::size_t k = 0; k < 3; ++k)
@@ -71,6 +71,9 @@ TEST(Construction, PolesLeadToTheSamePivot) {
     EXPECT_LT(distance_to_line(pivot, bisectors[3 * j + 2]), 1e-12);
     EXPECT_LT((arcs[j].back() - images[j][0]).norm(), 1e-12);  // M turned back about the pole
   }
+  EXPECT_LT(distance_to_line(poles[2][0], bisectors[6]), 1e-11);  // the image pole
+  EXPECT_LT(distance_to_line(pivot, bisectors[6]), 1e-12);
+  EXPECT_LT((arcs[2].front() - images[0][0]).norm() + (arcs[2].back() - images[1][0]).norm(), 1e-12);
 }
 
 TEST(Construction, ParallelPosesAndSlidersAreDrawnWithoutPolesOrPivots) {
