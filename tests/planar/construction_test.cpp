@@ -86,6 +86,7 @@ TEST(Construction, ParallelPosesAndSlidersAreDrawnWithoutPolesOrPivots) {
   for (const auto& drawing : three_pose_constructions(straight, slider, 1)) {
     EXPECT_TRUE(lines_of(drawing, "constructed").empty());
     EXPECT_FALSE(lines_of(drawing, "bisector").empty());
+    EXPECT_NE(drawing.caption.find("at infinity"), std::string::npos);
   }
 }
 
