@@ -51,8 +51,8 @@ Point2<T> concurrence(const std::array<LinearForm<T>, 3>& line) {
   return best;
 }
 
-/// The partner of a point under two correlations, where its two lines of partners meet. Zero where they are one line, or
-/// where all points are partners in one of them.
+/// The partner of a point under two correlations, where its two lines of partners meet. Zero where they are one line,
+/// or where all points are partners in one of them.
 template <class T>
 Point2<T> partner(const std::array<Correlation<T>, 2>& n, const Point2<T>& p) {
   const LinearForm<T> a = line_of_partners(n[0], p), b = line_of_partners(n[1], p);

@@ -15,9 +15,9 @@ struct TaubinCircle {
   double radius = 0;
 };
 
-/// Taubin's fit: the least sum of F^2 / |grad F|^2 on average, F = A (x^2 + y^2) + B x + C y + D (G. Taubin, IEEE PAMI 13,
-/// 1991; the form by singular values: N. Chernov, "Circular and Linear Regression", 2010, section 5.10). Exact for points
-/// of a circle. Nothing where the best F is a line or the points coincide. At least three points.
+/// Taubin's fit: the least sum of F^2 / |grad F|^2 on average, F = A (x^2 + y^2) + B x + C y + D (G. Taubin, IEEE PAMI
+/// 13, 1991; the form by singular values: N. Chernov, "Circular and Linear Regression", 2010, section 5.10). Exact for
+/// points of a circle. Nothing where the best F is a line or the points coincide. At least three points.
 inline std::optional<TaubinCircle> taubin_circle(std::span<const Vector<double, 2>> points) {
   const auto n = static_cast<Eigen::Index>(points.size());
   Vector<double, 2> centroid = Vector<double, 2>::Zero();

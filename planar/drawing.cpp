@@ -6,6 +6,7 @@
 
 #include "burmester/planar/constraint_quadric.hpp"
 #include "burmester/planar/drawing/curve_plates.hpp"
+#include "burmester/planar/drawing/construction.hpp"
 #include "burmester/planar/drawing/motion.hpp"
 #include "burmester/planar/drawing/sketch.hpp"
 #include "burmester/planar/drawing/stage.hpp"
@@ -105,6 +106,18 @@ void add_linkage(Drawing& drawing, int id, const std::array<SketchDyad, 2>& dyad
   drawing.surfaces.push_back(draw_surfaces(id, small, on_stage, motions.stretches));
 }
 
+/// Of the dyad with this given fixed pivot, if it is listed.
+void add_constructions(Drawing& out, const std::vector<Pose>& poses, const std::vector<double>& fixed,
+                       const Synthesis& answer, int number) {
+  for (const DyadRecord& record : answer.dyads)
+    if (record.fixed == fixed)
+      if (const auto design = design_of(record)) {
+        for (auto& drawing : three_pose_constructions(poses, *design, number))
+          out.constructions.push_back(std::move(drawing));
+        return;
+      }
+}
+
 }  // namespace
 
 Drawing draw_synthesis(const Problem& problem, const Synthesis& answer) {
@@ -118,6 +131,9 @@ Drawing draw_synthesis(const Problem& problem, const Synthesis& answer) {
   }
   if (poses.size() == 4)
     out.plates = four_pose_plates(std::span(poses).first<4>(), answer.curves, answer.candidates);
+  if (poses.size() == 3)
+    for (std::size_t k = 0; k < problem.fixed.size(); ++k)
+      add_constructions(out, poses, problem.fixed[k], answer, static_cast<int>(k) + 1);
   return out;
 }
 

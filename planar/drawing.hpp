@@ -4,6 +4,7 @@
 //   drawing/motion.hpp   walks through the task poses, resampled into frames
 //   drawing/sketch.hpp   what the parts of each dyad type look like
 //   drawing/surfaces.hpp the constraint surfaces of a linkage in the image space
+//   drawing/construction.hpp   three poses and given fixed pivots: the constructions by inversion and by poles
 // Everything here is for the eye: a motion is a sample of a curve, and no verdict follows from it.
 #pragma once
 

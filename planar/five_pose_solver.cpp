@@ -89,7 +89,8 @@ void attach(const CertifiedRoots& certified, int i, FivePoses poses, PlanarRepor
   const DyadBox& box = certified.boxes[static_cast<std::size_t>(i)];
   if (box.rung == Rung::none) return;
   auto& found = report.dyads.back();
-  const double radius = error_bound(found.design, box, poses, poses[static_cast<std::size_t>(certified.roots.anchor.reference)]);
+  const Pose& reference = poses[static_cast<std::size_t>(certified.roots.anchor.reference)];
+  const double radius = error_bound(found.design, box, poses, reference);
   if (std::isfinite(radius)) found.certificate = {true, radius, box.rung};
 }
 

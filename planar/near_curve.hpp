@@ -1,17 +1,18 @@
 // Four poses: the dyad of the curve whose fixed pivot is nearest to a given point.
 //
 // The centre points c fill the cubic F(c) = 0 (four_pose_curves.hpp). Nearest to q: c - q + lambda grad F(c) = 0 and
-// F(c) = 0, by Newton's method from the traced curve. Where F has opposite exact signs at the two ends of a short segment
-// across the curve, a dyad of the curve has its fixed pivot there; its circle point is enclosed with rational intervals.
+// F(c) = 0, by Newton's method from the traced curve. Where F has opposite exact signs at the two ends of a short
+// segment across the curve, a dyad of the curve has its fixed pivot there; its circle point is enclosed with rational
+// intervals.
 #pragma once
 
 #include "burmester/planar/four_pose_curves.hpp"
 
 namespace burmester::planar {
 
-/// Dyads near points q of the fixed frame, one for each, and none where the nearest centre point is a slider's (these are
-/// listed with the curve) or no curve is shown. curves: those of the poses. A certificate's radius bounds the distance to
-/// some dyad of the curve.
+/// Dyads near points q of the fixed frame, one for each, and none where the nearest centre point is a slider's (these
+/// are listed with the curve) or no curve is shown. curves: those of the poses. A certificate's radius bounds the
+/// distance to some dyad of the curve.
 std::vector<Found<Dyads::Design>> dyads_near(FourPoses poses, const std::vector<CurveRecord>& curves,
                                              const std::vector<std::vector<double>>& near, bool certify);
 

@@ -78,7 +78,7 @@ std::optional<RR::Design> best_RR(Body given, const Vector2& pivot, std::span<co
   const RR::Design best = given == Body::fixed
                               ? refine<RR_of_fixed>({pivot, circle->centre, circle->radius}, poses).design
                               : refine<RR_of_moving>({circle->centre, pivot, circle->radius}, poses).design;
-  if (sagitta(best.length, places) <= slider_departure) return std::nullopt;
+  if (!(sagitta(best.length, places) > slider_departure)) return std::nullopt;
   return best;
 }
 
@@ -90,7 +90,7 @@ FoundDyad judged(const EnclosedDyad& dyad, Body given, const Vector2& pivot, boo
   const Slider slider = slider_of(given, pivot, poses);
   const bool wide = far || !(dyad.shown.length <= size);
   FoundDyad found;
-  if (far || (wide && slider.departure <= slider_departure * size)) {
+  if (far || !std::isfinite(dyad.shown.length) || (wide && slider.departure <= slider_departure * size)) {
     found.design = planar::design_of(given, pivot, slider);
     found.departure = slider.departure;
   } else {
@@ -120,8 +120,15 @@ FoundDyad Pivots::dyad(Body given, const std::vector<double>& pivot, const Point
   return judged(enclosed(pair, poses[0]), given, {pivot[0], pivot[1]}, far, poses, certify);
 }
 
+/// As for the origins of poses (planar/pose_format.cpp).
+const char* Pivots::complaint(const std::vector<double>& pivot) {
+  const bool usable = std::abs(pivot[0]) <= 1e100 && std::abs(pivot[1]) <= 1e100;
+  return usable ? nullptr : "coordinates of magnitude at most 1e100";
+}
+
 std::vector<FoundDyad> Pivots::fits(Body given, const std::vector<double>& pivot, std::span<const Pose> poses) {
   const Vector2 at(pivot[0], pivot[1]);
+  if (!detail::three_differ(places_of(given, at, poses), rounding(pivot, poses))) return {};
   const Slider slider = slider_of(given, at, poses);
   std::vector<FoundDyad> out(1);
   out[0].design = planar::design_of(given, at, slider);

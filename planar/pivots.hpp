@@ -1,8 +1,8 @@
 // The plane's part of two and three poses and of given pivots (modules/framework/given_pivots.hpp has the rest).
 //
-// The pivot of an RR dyad is at the same distance from its partner in every pose (planar/equidistance.hpp). A partner at
-// infinity makes a slider: PR for a given moving pivot, RP for a given fixed one. Everything is seen from pose 1's origin
-// in directions of S until it is shown.
+// The pivot of an RR dyad is at the same distance from its partner in every pose (planar/equidistance.hpp). A partner
+// at infinity makes a slider: PR for a given moving pivot, RP for a given fixed one. Everything is seen from pose 1's
+// origin in directions of S until it is shown.
 #pragma once
 
 #include "burmester/modules/framework/given_pivots.hpp"
@@ -33,6 +33,7 @@ struct Pivots {
   }
   static Found<Dyads::Design> dyad(Body given, const std::vector<double>& pivot, const Point2<Rational>& partner,
                                    std::span<const Pose> poses, bool certify);
+  static const char* complaint(const std::vector<double>& pivot);
   static std::vector<Found<Dyads::Design>> fits(Body given, const std::vector<double>& pivot,
                                                 std::span<const Pose> poses);
   static double rounding(const std::vector<double>& pivot, std::span<const Pose> poses);

@@ -80,6 +80,9 @@ PlanarReport solve(const Problem& problem, std::span<const Pose> poses) {
   } else if (poses.size() == 5) {
     report = FivePoseSolver{.certify = problem.certify}.solve(poses);
   } else if (poses.size() == 4) {
+    for (std::size_t k = 0; k < problem.near.size(); ++k)
+      if (const char* expected = Pivots::complaint(problem.near[k]))
+        throw InputError(fmt::format("near[{}]: expected {}", k, expected));
     report = FourPoseSolver().solve(poses);
     for (auto& found : dyads_near(std::span(poses).first<4>(), report.curves, problem.near, problem.certify))
       report.dyads.push_back(std::move(found));

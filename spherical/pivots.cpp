@@ -1,6 +1,7 @@
 #include "burmester/spherical/pivots.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -88,12 +89,6 @@ RR::Design best_RR(Body given, const Axis& axis, std::span<const Pose> poses) {
 
 bool is_slider(double arc) { return std::abs(arc - right_angle) <= slider_arc_tolerance; }
 
-void check(const std::vector<std::vector<double>>& axes, Body body) {
-  for (std::size_t i = 0; i < axes.size(); ++i)
-    if (std::all_of(axes[i].begin(), axes[i].end(), [](double x) { return x == 0; }))
-      throw InputError(fmt::format("{}[{}]: expected an axis that is not zero", name_of(body), i));
-}
-
 }  // namespace
 
 FoundDyad Pivots::dyad(Body given, const std::vector<double>& axis, const ExactAxis& partner,
@@ -120,8 +115,14 @@ FoundDyad Pivots::dyad(Body given, const std::vector<double>& axis, const ExactA
   return found;
 }
 
+const char* Pivots::complaint(const std::vector<double>& axis) {
+  const bool zero = std::all_of(axis.begin(), axis.end(), [](double x) { return x == 0; });
+  return zero ? "an axis that is not zero" : nullptr;
+}
+
 std::vector<FoundDyad> Pivots::fits(Body given, const std::vector<double>& axis, std::span<const Pose> poses) {
   const Axis at = unit_axis(exact_axis(axis));
+  if (!detail::three_differ(places_of(given, at, poses), rounding(axis, poses))) return {};
   std::vector<FoundDyad> out(1);
   out[0].design = best_PR(given, at, poses);
   if (const RR::Design rr = best_RR(given, at, poses); !is_slider(rr.arc)) {
@@ -185,7 +186,6 @@ std::string Pivots::described(const PoleRecord& pole, const Units& units) {
 }
 
 Report<Dyads> solve_linear(const Problem& problem, std::span<const Pose> poses) {
-  check(problem.fixed, Body::fixed), check(problem.moving, Body::moving);
   if (problem.fixed.empty() && problem.moving.empty()) return family_of_dyads<Pivots>(poses, problem.units);
   return GivenPivots<Pivots>(problem, poses).solve();
 }

@@ -1,8 +1,8 @@
 // The sphere's part of two and three orientations and of given axes (modules/framework/given_pivots.hpp has the rest).
 //
-// The axis of an RR dyad keeps its angle from its partner in every pose (spherical/equal_angles.hpp); a partner at 90 deg
-// makes a slider. Axes are seen from the fixed frame, the moving ones in pose 1, until they are shown. Given axes may have
-// any length but zero.
+// The axis of an RR dyad keeps its angle from its partner in every pose (spherical/equal_angles.hpp); a partner at 90
+// deg makes a slider. Axes are seen from the fixed frame, the moving ones in pose 1, until they are shown. Given axes
+// may have any length but zero.
 #pragma once
 
 #include "burmester/modules/framework/given_pivots.hpp"
@@ -38,6 +38,7 @@ struct Pivots {
   }
   static Found<Dyads::Design> dyad(Body given, const std::vector<double>& axis, const Point2<Rational>& partner,
                                    std::span<const Pose> poses, bool certify);
+  static const char* complaint(const std::vector<double>& axis);
   static std::vector<Found<Dyads::Design>> fits(Body given, const std::vector<double>& axis,
                                                 std::span<const Pose> poses);
   static double rounding(const std::vector<double>& axis, std::span<const Pose> poses);

@@ -27,6 +27,9 @@ ModuleInfo describe() {
   info.solvers = describe_solvers<FourPoseSolver, FivePoseSolver, LeastSquaresSolver>();
   info.type_aliases = {{"RP", "PR"}};  // a slider is its own inverse
   info.csv_headers = {{"qw", "qx", "qy", "qz"}};
+  info.solvers = {{"two and three orientations, linear",
+                   "the family of dyads with its axes of rotation; the dyad, or the best fits to more orientations, for "
+                   "given fixed and moving axes"}};
   info.point_size = Space::feature_size;
   return info;
 }

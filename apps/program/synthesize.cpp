@@ -65,6 +65,8 @@ void write_figures(const OutputFolder& folder, const Problem& problem, const Dra
   for (const SurfaceDrawing& surfaces : drawing.surfaces)
     if (!surfaces.lines.empty())
       figures[fmt::format("surfaces_{}.svg", surfaces.linkage)] = surfaces_figure(surfaces, problem.name);
+  for (const Plate& construction : drawing.constructions)
+    figures[construction.name + ".svg"] = construction_figure(construction, problem.name, unit);
   std::set<std::string> names;
   for (const auto& [name, text] : figures) {
     folder.write(name, text);

@@ -112,8 +112,8 @@ std::string pole_table(const Problem& problem, const std::vector<PoleRecord>& po
     const Style style{digits, 1e-9 * task_size};
     std::vector<Row> rows;
     for (const PoleRecord& p : poles)
-      rows.push_back({fmt::format("{}, {}", p.poses[0], p.poses[1]), number(shown_angle(p.angle, problem.units), digits),
-                      point(p.fixed, style), point(p.moving, style),
+      rows.push_back({fmt::format("{}, {}", p.poses[0], p.poses[1]),
+                      number(shown_angle(p.angle, problem.units), digits), point(p.fixed, style), point(p.moving, style),
                       p.far ? "of " + line_text(*p.far, problem.units, style) : ""});
     return rows;
   });

@@ -144,7 +144,72 @@ class Figure {
   Svg svg_;
 };
 
+/// One part of a construction: its line or symbol, later its label.
+class ConstructionFigure {
+ public:
+  ConstructionFigure(const Plate& drawing, std::string_view title)
+      : drawing_(drawing), svg_(drawing.window, title) {}
+
+  std::string draw(const std::string& unit) {
+    for (const std::string_view role :
+         {"circle", "bisector", "chord", "arc", "link", "frame", "image", "pole", "constructed", "given"})
+      for (std::size_t k = 0; k < drawing_.parts.size(); ++k)
+        if (drawing_.parts[k].role == role) part(drawing_.parts[k], placed(k));
+    svg_.scale_bar(unit);
+    return svg_.finish();
+  }
+
+ private:
+  Polyline placed(std::size_t k) const {
+    Polyline line;
+    for (const Point2& p : drawing_.lines[k]) line.push_back(svg_.place(p));
+    return line;
+  }
+
+  /// The straight line through two points, out of the sheet at both ends.
+  Polyline endless(const Polyline& line) const {
+    const Point2 d{line[1][0] - line[0][0], line[1][1] - line[0][1]};
+    const double size = std::hypot(d[0], d[1]), far = size > 0 ? 4 * (svg_.width() + svg_.height()) / size : 0;
+    return {{line[0][0] - far * d[0], line[0][1] - far * d[1]}, {line[0][0] + far * d[0], line[0][1] + far * d[1]}};
+  }
+
+  void part(const Part& part, const Polyline& line) {
+    const std::string_view colour = part.dyad > 0 ? pose_colour(static_cast<std::size_t>(part.dyad) - 1) : soft_ink;
+    const auto stroke = [&](const char* more) {
+      return fmt::format("fill=\"none\" stroke=\"{}\" {}", colour, more);
+    };
+    if (part.role == "bisector") svg_.polyline(endless(line), false, stroke("stroke-dasharray=\"10 3 2 3\""));
+    if (part.role == "chord") svg_.polyline(line, false, stroke("stroke-dasharray=\"3 3\""));
+    if (part.role == "arc") svg_.polyline(line, false, stroke("stroke-width=\"1.4\""));
+    if (part.role == "link") svg_.polyline(line, false, stroke("stroke-width=\"2.4\""));
+    if (part.role == "circle") svg_.polyline(line, true, stroke("stroke-width=\"0.9\" stroke-opacity=\"0.7\""));
+    if (part.role == "frame")
+      svg_.frame(line[1], {line[0][0] - line[1][0], line[0][1] - line[1][1]},
+                 {line[2][0] - line[1][0], line[2][1] - line[1][1]}, distance(line[0], line[1]), colour, part.label);
+    if (part.role == "given") svg_.ground(line[0]);
+    if (part.role == "image" || part.role == "constructed")
+      svg_.circle(line[0], 4.5, fmt::format("fill=\"{}\" stroke=\"{}\" stroke-width=\"1.8\"",
+                                          part.role == "image" ? "#fff" : colour, colour));
+    if (part.role == "pole") {
+      const auto [x, y] = line[0];
+      svg_.polyline({{x - 8, y}, {x + 8, y}}, false, stroke("stroke-width=\"2\""));
+      svg_.polyline({{x, y - 8}, {x, y + 8}}, false, stroke("stroke-width=\"2\""));
+    }
+    if (line.size() == 1)
+      svg_.label({line[0][0] + 10, line[0][1] - 9}, part.label,
+                 fmt::format("font-weight=\"600\" fill=\"{}\"", part.dyad > 0 ? colour : ink));
+  }
+
+  const Plate& drawing_;
+  Svg svg_;
+};
+
 }  // namespace
+
+std::string construction_figure(const Plate& construction, const std::string& task,
+                                const std::string& unit) {
+  return ConstructionFigure(construction, titled(construction.title, task)).draw(unit);
+}
 
 std::string poses_figure(const Drawing& drawing, const std::string& task, const std::string& unit) {
   std::vector<Point2> origins, placed;

@@ -11,5 +11,7 @@ namespace burmester {
 std::string poses_figure(const Drawing& drawing, const std::string& task, const std::string& unit);
 std::string linkage_figure(const LinkageDrawing& linkage, const Drawing& drawing, const std::string& task,
                            const std::string& unit);
+std::string construction_figure(const Plate& construction, const std::string& task,
+                                const std::string& unit);
 
 }  // namespace burmester

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "burmester/modules/framework/json_text.hpp"
+#include "report/figure.hpp"
 #include "report/page.hpp"
 
 namespace burmester {
@@ -93,6 +94,18 @@ void fill(std::string& page, std::string_view placeholder, std::string_view text
   page.replace(at, placeholder.size(), text);
 }
 
+/// The constructions, each a figure with its caption; nothing where there are none.
+std::string constructions_of(const json& result, const Drawing& drawing) {
+  if (drawing.constructions.empty()) return "";
+  const std::string task = result.value("name", ""), unit = result.value("/units/length"_json_pointer, "");
+  std::string out = "<section id=\"constructions\" aria-labelledby=\"h-constructions\">\n"
+                    "<h2 id=\"h-constructions\">Constructions</h2>\n";
+  for (const Plate& construction : drawing.constructions)
+    out += "<figure class=\"figure\">\n" + construction_figure(construction, task, unit) + "<figcaption>" +
+           construction.caption + "</figcaption>\n</figure>\n";
+  return out + "</section>\n";
+}
+
 }  // namespace
 
 json drawing_document(const Drawing& drawing) {
@@ -112,6 +125,7 @@ std::string report_page(const json& result, const Drawing& drawing) {
   fill(page, "/*BURMESTER_JS*/", page_js);
   fill(page, "/*BURMESTER_DATA*/",
        for_script(json_line({{"result", result}, {"drawing", drawing_document(drawing)}})));
+  fill(page, "<!--BURMESTER_CONSTRUCTIONS-->", constructions_of(result, drawing));  // last: data hold no "<"
   return page;
 }
 

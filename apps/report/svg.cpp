@@ -188,8 +188,8 @@ std::string Svg::finish() const {
 <title>{3}</title>
 <style>.halo{{paint-order:stroke;stroke:#fff;stroke-width:3px;stroke-linejoin:round}}</style>
 <rect y="{2}" width="{0}" height="{1}" fill="#fff"/>
-<text x="14" y="-16" font-size="16" fill="{4}">{3}</text>
-{5}</svg>
+{5}<text x="14" y="-16" font-size="16" class="halo" fill="{4}">{3}</text>
+</svg>
 )",
       number(width_), number(height_ + head), number(-head), escaped(printable(title_, 90)), ink, body_,
       figure_mark);

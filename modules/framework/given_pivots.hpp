@@ -1,5 +1,5 @@
-// Two and three poses, and given pivots: dyads that follow from linear equations, in any geometry whose displacements are
-// correlations.
+// Two and three poses, and given pivots: dyads that follow from linear equations, in any geometry whose displacements
+// are correlations.
 //
 // n poses give n - 1 equations p^T N_j c = 0 on the moving pivot p and the fixed pivot c, both seen from pose 1
 // (geometry/correlations.hpp). For a given p, or a given c with N_j transposed, each is a line of partners: the
@@ -9,8 +9,8 @@
 //                   S. Bai), in the plane the circumcentre of three places (MECH 576, section 5.1),
 //     more          in general none: the best fit over all circles and lines is listed.
 // The pivot that two poses bring to one place is their pole, and its line is not determined: infinitely many partners.
-// Three poses are solved in rationals, for the data as they stand. Whether the data determine the partner at all is asked
-// of data known to within a rounding: where the box of the partner then holds no direction, the reason is named.
+// Three poses are solved in rationals, for the data as they stand. Whether the data determine the partner at all is
+// asked of data known to within a rounding: where the box of the partner then holds no direction, the reason is named.
 //
 // G, the geometry's part (planar/pivots.hpp, spherical/pivots.hpp): see PivotGeometry below.
 #pragma once
@@ -77,7 +77,9 @@ concept PivotGeometry = requires(const typename G::Pose pose, std::span<const ty
   { G::template seen<Rational>(body, data, exact_pivot) } -> std::same_as<Point2<Rational>>;
   /// The dyad of a given pivot (of `body`) and its partner as seen from pose 1; certified on request.
   { G::dyad(body, pivot, exact, poses, true) } -> std::same_as<Found<typename G::Dyads::Design>>;
-  /// Best dyads for a given pivot, of each type; those that meet the poses but for rounding first.
+  /// What was expected instead of this pivot; null if it can be used.
+  { G::complaint(pivot) } -> std::same_as<const char*>;
+  /// Best dyads for a given pivot, of each type; none where it has fewer than three different places.
   { G::fits(body, pivot, poses) } -> std::same_as<std::vector<Found<typename G::Dyads::Design>>>;
   { G::rounding(pivot, poses) } -> std::same_as<double>;  // residuals up to this are rounding
   { G::partners(body, pivot, point, pose) } -> std::same_as<PartnersRecord>;
@@ -89,12 +91,18 @@ concept PivotGeometry = requires(const typename G::Pose pose, std::span<const ty
 
 namespace detail {
 
+inline Rational middle(double x) { return Rational(x); }
+inline Rational middle(const Rational& x) { return x; }
+inline Rational middle(const RationalInterval& x) { return (x.low() + x.high()) / 2; }
+
+/// A multiple of p that doubles can hold, however long or short p is. Precondition: not zero.
 template <class T>
 Point2<double> to_double(const Point2<T>& p) {
-  double largest = 0;
-  for (int i = 0; i < 3; ++i) largest = std::max(largest, std::abs(approximate(p[i])));
-  const T scale(largest > 0 ? 1 / power_of_two_below(largest) : 1);
-  return {approximate(T(p[0] * scale)), approximate(T(p[1] * scale)), approximate(T(p[2] * scale))};
+  const Point2<Rational> q(middle(p[0]), middle(p[1]), middle(p[2]));
+  Rational largest = 0;
+  for (int i = 0; i < 3; ++i) largest = std::max(largest, Rational(abs(q[i])));
+  return {approximate(Rational(q[0] / largest)), approximate(Rational(q[1] / largest)),
+          approximate(Rational(q[2] / largest))};
 }
 
 inline Rational number(const Rational*, double x) { return Rational(x); }
@@ -109,6 +117,16 @@ bool may_vanish(const M& m) {
   for (Eigen::Index i = 0; i < m.size(); ++i)
     if (!contains_zero(m.reshaped()[i])) return false;
   return true;
+}
+
+/// Whether at least three places of a pivot differ by more than the tolerance.
+template <class Place>
+bool three_differ(const std::vector<Place>& places, double tolerance) {
+  std::vector<Place> seen;
+  for (const Place& p : places)
+    if (std::none_of(seen.begin(), seen.end(), [&](const Place& q) { return (p - q).norm() <= tolerance; }))
+      seen.push_back(p);
+  return seen.size() >= 3;
 }
 
 }  // namespace detail
@@ -241,13 +259,14 @@ class GivenPivots {
     }
     if (poses_.size() <= 3) report_.family.poles = poles_of<G>(poses_);
     conclude();
-    return std::move(report_);
+    return report_;
   }
 
  private:
   void add(Body body, const std::vector<double>& pivot, const std::string& name) {
     ++given_;
-    if (poses_.size() > 3) return add_fits(body, pivot);
+    if (const char* expected = G::complaint(pivot)) throw InputError(fmt::format("{}: expected {}", name, expected));
+    if (poses_.size() > 3) return add_fits(body, pivot, name);
     if (const auto reason = undetermined<G>(body, pivot, poses_)) return add_undetermined(body, pivot, name, *reason);
     const Partners<G, Rational> partners(body, pivot, poses_);
     if (poses_.size() == 3)
@@ -282,8 +301,9 @@ class GivenPivots {
     undetermined_.push_back(fmt::format("{}: {}, {}", name, reason, what));
   }
 
-  void add_fits(Body body, const std::vector<double>& pivot) {
+  void add_fits(Body body, const std::vector<double>& pivot, const std::string& name) {
     auto fits = G::fits(body, pivot, poses_);
+    if (fits.empty()) undetermined_.push_back(name + ": fewer than three different places, infinitely many partners");
     const double rounding = G::rounding(pivot, poses_);
     const auto met = [&](const auto& found) { return found.residual <= rounding; };
     if (std::any_of(fits.begin(), fits.end(), met))
@@ -313,8 +333,8 @@ class GivenPivots {
       if (report_.counts.certified) report_.message += ", proved";
     } else {
       const bool exact = met_ == given_;
-      report_.status = exact ? Status::exact : Status::approximate;
-      report_.counts.dimension = 0;
+      report_.status = !undetermined_.empty() ? Status::degenerate : exact ? Status::exact : Status::approximate;
+      if (undetermined_.empty()) report_.counts.dimension = 0;
       if (exact) report_.counts.real = static_cast<int>(count);
       report_.message = fmt::format(
           "{} poses and {}: {}", n, given_ == 1 ? fmt::format("a {}", given) : given,

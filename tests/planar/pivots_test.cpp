@@ -287,6 +287,17 @@ TEST(GivenPivots, MorePosesAreFittedOrMet) {
   }
 }
 
+TEST(GivenPivots, PlacesThatDoNotTellAreNamed) {
+  const Pose a{0, 0, 0, 1}, b{1, 2, 0.6, 0.8};
+  const auto report = solve({a, b, a, b}, {{3, 3}});
+  EXPECT_EQ(report.status, Status::degenerate);
+  EXPECT_NE(report.message.find("fixed[0]: fewer than three different places"), std::string::npos) << report.message;
+  EXPECT_THROW(solve({a, b, {3, 1, 0, 1}}, {{1e200, 0}}), InputError);
+  const auto far = solve({a, b, {3, 1, 0, 1}}, {}, {{1e100, 1e90}});  // nothing that is not a number
+  for (const DyadRecord& record : records_of(far))
+    EXPECT_TRUE(std::isfinite(record.residual + record.length.value_or(0)));
+}
+
 // MECH 576, section 5 (three poses, fixed centres (0, 0) and (16, 0)): table 16, equations 14 to 19. x is printed 7.35221,
 // hand calculation; the 15 digits are the exact solution of the printed poses. The coupler is printed 8.2479.
 TEST(GivenPivots, Mech576ThreePositionProblem) {

@@ -3,11 +3,13 @@ import json
 import math
 import os
 import sys
+import tempfile
+import xml.etree.ElementTree
 
 import jsonschema
 
 sys.path.insert(0, os.path.join(sys.argv[2], "tests", "support"))
-from program import ProgramTest, main, schema, strict_json  # noqa: E402
+from program import ProgramTest, example, main, schema, strict_json  # noqa: E402
 
 POSES = [[0, 0, 0], [2, 1, 30], [3, -1, 75], [1, 4, -20], [5, 5, 5], [-3, 2, 44]]
 SPHERICAL = [{"axis": [0, 0, 1], "angle": 0}, {"axis": [0, 1, 1], "angle": 40}, {"longitude": 20, "latitude": 30, "roll": 10},
@@ -92,6 +94,36 @@ class Pivots(ProgramTest):
         met = self.answer(problem(circle, moving=[[0, 0]]))
         self.shape(met, "exact", 0, 1)
         self.assertAlmostEqual(met["dyads"][0]["length"], 3, delta=1e-12)
+
+    def test_near_a_point_of_the_curve(self):
+        near = [[1, 1], [4, -2]]
+        document = self.answer(problem(POSES[:4], near=near))
+        self.assertEqual((document["status"], document["solutions"]["dimension"]), ("family", 1))
+        pivots = [c for curve in document["curves"] for c in curve["fixed"]]
+        found = [d for d in document["dyads"] if d["type"] == "RR"]
+        self.assertEqual(len(found), 2)
+        for point in near:
+            dyad = min(found, key=lambda d: math.dist(d["fixed"], point))
+            self.assertLessEqual(math.dist(dyad["fixed"], point), min(math.dist(c, point) for c in pivots) + 1e-12)
+            for pose in POSES[:4]:
+                self.assertAlmostEqual(math.dist(place(pose, dyad["moving"]), dyad["fixed"]), dyad["length"], delta=1e-10)
+            self.assertTrue(dyad["certificate"]["certified"])
+        self.assertTrue(any(l["type"] == "RRRR" for l in document["linkages"]))
+        self.assertEqual(self.answer(problem(POSES[:3], near=near))["warnings"],
+                         ["near: only four poses without given pivots leave a choice; ignored"])
+
+    def test_constructions_are_drawn(self):
+        names = {f"construction_{k}_{how}.svg" for k in (1, 2) for how in ("inversion", "poles")}
+        with tempfile.TemporaryDirectory() as folder:
+            self.good("synthesize", example("mech576_three_poses"), "-o", folder)
+            self.assertLessEqual(names, set(os.listdir(folder)))
+            with open(os.path.join(folder, "report.html"), encoding="utf-8") as file:
+                page = file.read()
+            self.assertEqual(page.count("by inversion") >= 2 and page.count("<figcaption>"), 4)
+            for name in names:
+                text = "".join(xml.etree.ElementTree.parse(os.path.join(folder, name)).getroot().itertext())
+                for label in ("M2", "M3", "A1"):
+                    self.assertIn(label, text)
 
     def test_csv(self):
         csv = "x,y,angle_deg\n" + "".join("%r,%r,%r\n" % tuple(pose) for pose in POSES[:3])

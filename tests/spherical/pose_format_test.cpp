@@ -87,7 +87,7 @@ TEST(SphericalModule, HasItsFace) {
   EXPECT_THAT(module->info().dyad_types, ElementsAre("RR", "PR"));
   EXPECT_THAT(module->info().csv_headers, ElementsAre(ElementsAre("qw", "qx", "qy", "qz")));
   EXPECT_EQ(module->info().point_size, 3);
-  EXPECT_TRUE(module->info().solvers.empty());
+  EXPECT_FALSE(module->info().solvers.empty());
   Problem four;
   four.poses.assign(4, {1, 0, 0, 0});
   EXPECT_THROW(module->synthesize(four), NotAvailable);
