@@ -25,9 +25,6 @@ namespace burmester::spherical {
 template <class T>
 using Bilinear = std::array<Correlation<T>, 4>;
 
-/// A pose of the closest pair, so that the small rotation between the two is seen at its own scale.
-int reference_of(FivePoses poses);
-
 /// conj(a) b, from the difference of the two: what nearly equal poses have in common does not cancel.
 template <class T>
 Quaternion<T> relative_rotation(const Pose& a, const Pose& b) {
