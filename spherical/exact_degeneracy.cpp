@@ -77,11 +77,10 @@ bool some_axis_takes_two_places(const Equations& n, const std::vector<Direction>
   return false;
 }
 
-/// The rotations between the poses take their axes with them: the same axes in S, seen from the reference pose.
-std::vector<Direction> seen_in_frame(FivePoses poses, int reference) {
+/// The same axes in S, seen from the first pose: Q_0^T Q_i a.
+std::vector<Direction> seen_in_frame(FivePoses poses) {
   std::vector<Direction> out;
-  const Quaternion<Rational> back =
-      Space::conjugate<Rational>(Space::point<Rational>(poses[static_cast<std::size_t>(reference)]));
+  const Quaternion<Rational> back = Space::conjugate<Rational>(Space::point<Rational>(poses[0]));
   for (std::size_t i = 0; i < 5; ++i)
     for (std::size_t j = i + 1; j < 5; ++j)
       out.push_back(Space::act<Rational>(quaternion_product<Rational>(back, Space::point<Rational>(poses[i])),
@@ -95,12 +94,11 @@ Degeneracy exact_degeneracy(FivePoses poses) {
   const std::vector<Direction> axes = axes_between(poses);
   for (const Direction& a : axes)
     if (is_zero(a)) return Degeneracy::equal_orientations;
-  const int reference = reference_of(poses);
-  const Equations n = bilinear_equations<Rational>(poses, reference);
+  const Equations n = bilinear_equations<Rational>(poses, 0);
   if (all_parallel(axes)) return Degeneracy::one_axis;
   if (rank_of(conditions(n)) < 4) return Degeneracy::rank_deficient;
   if (some_axis_takes_two_places(n, axes)) return Degeneracy::moving_on_circle;
-  if (some_axis_takes_two_places(transposed(n), seen_in_frame(poses, reference))) return Degeneracy::fixed_on_circle;
+  if (some_axis_takes_two_places(transposed(n), seen_in_frame(poses))) return Degeneracy::fixed_on_circle;
   return Degeneracy::none;
 }
 

@@ -183,7 +183,7 @@ struct Shown {
 
 CertifiedAxes certified_axes(FivePoses poses, std::span<const AxisPair> found) {
   CertifiedAxes out;
-  out.reference = reference_of(poses);
+  out.reference = five_pose_equations(poses).reference;
   prove_by_intervals(poses, found, out);
   if (!out.complete) prove_exactly(poses, out);
   return out;
@@ -227,13 +227,13 @@ double error_bound(const Dyads::Design& shown, const AxesBox& box, const Pose& r
 }
 
 int count_by_intervals(FivePoses poses) {
-  const int reference = reference_of(poses);
+  const int reference = five_pose_equations(poses).reference;
   const UpwardRounding upward;
   return count_roots(bilinear_equations<Interval>(poses, reference));
 }
 
 int count_exactly(FivePoses poses) {
-  const auto all = exact_axes(bilinear_equations<Rational>(poses, reference_of(poses)));
+  const auto all = exact_axes(bilinear_equations<Rational>(poses, 0));
   return all ? static_cast<int>(all->size()) : -1;
 }
 

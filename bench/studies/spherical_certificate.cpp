@@ -1,6 +1,6 @@
 // The certified answer for five orientations on many random tasks of every class: what decides, how sharp, at what cost.
 //   study_spherical_certificate [generic tasks, default 100000] [of every other class, default 10000] [checked, default 300]
-// Columns: answers not certified; certified counts that another elimination (tests/support) finds wrong, among the first
+// Columns: answers not certified; certified counts that the elimination of five_pose_oracle.hpp finds wrong, among the first
 // `checked` tasks; tasks that intervals decided alone, the others being decided exactly; the largest radius of a task,
 // radians; microseconds of CPU for the roots alone, their proof, and the whole report with both.
 // Exit code 1 where a count is wrong, a generic answer is not certified, or more than a fifth of a class.
@@ -11,10 +11,10 @@
 #include <ctime>
 
 #include "burmester/spherical/five_pose_certificate.hpp"
+#include "burmester/spherical/five_pose_oracle.hpp"
 #include "burmester/spherical/five_pose_roots.hpp"
 #include "burmester/spherical/five_pose_solver.hpp"
 #include "burmester/spherical/tasks.hpp"
-#include "spherical_elimination.hpp"
 
 namespace {
 
@@ -49,8 +49,7 @@ void solve(const FivePoseTask& task, bool check, Outcome& out) {
 
   ++out.tasks;
   out.uncertified += !report.counts.certified;
-  if (check && report.counts.certified && report.counts.real)
-    out.wrong += *report.counts.real != exact::count_spherical_dyads(task).distinct;
+  if (check && report.counts.certified && report.counts.real) out.wrong += *report.counts.real != exact_count(task);
   double radius = 0;
   bool by_intervals = proved.complete && proved.count_rung == Rung::intervals;
   for (const auto& dyad : report.dyads) {

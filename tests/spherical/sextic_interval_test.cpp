@@ -31,7 +31,7 @@ TEST(SphericalIntervals, ContainTheExactEquationsAndSextics) {
     Random random(stream);
     for (int i = 0; i < 10; ++i) {
       const FivePoseTask task = c.make(random);
-      const int reference = reference_of(task);
+      const int reference = five_pose_equations(task).reference;
       const Boxes boxes = boxes_of(task, reference);
       const Bilinear<Rational> exact = bilinear_equations<Rational>(task, reference);
       for (std::size_t j = 0; j < 4; ++j)
@@ -53,7 +53,7 @@ TEST(SphericalIntervals, AreNarrowForAClosePair) {
   Random random(stream);
   for (int i = 0; i < 20; ++i) {
     const FivePoseTask task = find_task_class("close_pair")->make(random);
-    for (const Correlation<Interval>& n : boxes_of(task, reference_of(task)).equations)
+    for (const Correlation<Interval>& n : boxes_of(task, five_pose_equations(task).reference).equations)
       for (int k = 0; k < 9; ++k) EXPECT_LT(n(k).sup() - n(k).inf(), 0x1p-44);
   }
 }
