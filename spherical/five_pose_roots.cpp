@@ -91,10 +91,11 @@ Pencil eliminate(const FivePoseEquations& equations, int x) {
   return out;
 }
 
-/// The elimination with a small pivot only if all are.
+/// The elimination with a small pivot only if all are. Where the axes nearly agree two of the dyads are near the complex
+/// (1, +-i, 0) (x) (1, +-i, 0): there only elimination along the common axis keeps them apart.
 Pencil best_elimination(const FivePoseEquations& equations, double least_pivot) {
   Pencil best = eliminate(equations, 2);
-  for (int x = 0; x < 2 && best.pivot < least_pivot; ++x)
+  for (int x = 0; x < 2 && best.pivot < least_pivot && equations.d == 1; ++x)
     if (Pencil other = eliminate(equations, x); other.pivot > best.pivot) best = other;
   return best;
 }

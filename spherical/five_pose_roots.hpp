@@ -42,7 +42,7 @@ struct FivePoseRoots {
 
 /// Where the sextic's smallest pivot, relative, is below this, the action path is taken (docs/spherical.md has the
 /// measurements behind the number).
-inline constexpr double least_sextic_pivot = 0x1p-10;
+inline constexpr double least_sextic_pivot = 0x1p-12;
 
 FivePoseRoots five_pose_roots(FivePoses poses);
 
