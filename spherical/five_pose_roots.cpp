@@ -15,6 +15,12 @@ constexpr double indistinct_tolerance = 0x1p-33;
 /// A pivot counts as zero when it is below what rounding the data once can make of zero, times this factor for the
 /// additions in between.
 constexpr double noise_factor = 256;
+/// Roots of the sextic about 2^-19 apart, real or not, may be a sign of infinitely many dyads: the other path tells.
+constexpr int close_depth = 20;
+/// Those 2^-26 apart: rounding, whose effect on a double root is its square root, decides whether they are real.
+constexpr int merging_depth = 27;
+/// Relative size below which rounding (2^-53, over a pivot of 2^-12 at least) leaves nothing of the sextic or of an axis.
+constexpr double undetermined = 0x1p-40;
 
 /// Vectors of binary forms: coefficient k belongs to u0^(n-k) u1^k.
 template <int degree>
@@ -25,6 +31,13 @@ Vector3 value(const Forms<n>& f, double u0, double u1) {
   Vector3 out = f[0];
   double power = u1;
   for (std::size_t k = 1; k <= n; ++k, power *= u1) out = out * u0 + power * f[k];
+  return out;
+}
+
+template <int n>
+double largest(const Forms<n>& f) {
+  double out = 0;
+  for (const Vector3& v : f) out = std::max(out, v.norm());
   return out;
 }
 
@@ -136,15 +149,20 @@ bool detail::add_sextic_roots(double least_pivot, FivePoseRoots& out) {
   std::array<double, 7> sextic{};
   for (std::size_t i = 0; i <= 3; ++i)
     for (std::size_t k = 0; k <= 3; ++k) sextic[i + k] += b[i].dot(f[k]);
+  double size = 0;
+  for (const double coefficient : sextic) size = std::max(size, std::abs(coefficient));
+  const double b_size = largest<3>(b);
+  if (!(size > undetermined * b_size * largest<3>(f))) return false;  // zero: a curve of dyads
   const BinaryRoots<6> roots = binary_roots<6>(sextic);  // of (u1, u0)
-  out.merging = roots.unresolved;
+  out.close = roots.depth >= close_depth;
+  out.merging = roots.depth >= merging_depth;
   for (int i = 0; i < roots.count; ++i) {
     const double u0 = roots.at[static_cast<std::size_t>(i)][1], u1 = roots.at[static_cast<std::size_t>(i)][0];
     const Vector3 axis = value<3>(b, u0, u1);
     const double x = axis.dot(u0 * (pencil.P[0] * axis) + u1 * (pencil.P[1] * axis)) / axis.squaredNorm();
+    if (!(axis.norm() > undetermined * b_size)) return out.count = 0, false;  // one moving axis for many fixed ones
     Vector3 a;
     a[pencil.x] = x, a[(pencil.x + 1) % 3] = u0, a[(pencil.x + 2) % 3] = u1;
-    if (!std::isfinite(x)) return out.count = 0, false;
     add(out, scaled_dyad(a, axis, out.equations.e), 1);
   }
   return true;
@@ -164,7 +182,8 @@ FivePoseRoots five_pose_roots(FivePoses poses, FivePosePath path) {
 FivePoseRoots five_pose_roots(FivePoses poses) {
   FivePoseRoots out = prepared(poses);
   if (out.what != FivePoseCase::regular) return out;
-  if (detail::add_sextic_roots(least_sextic_pivot, out)) return out;
+  if (detail::add_sextic_roots(least_sextic_pivot, out) && !out.close) return out;
+  out.count = 0;
   out.path = FivePosePath::action;
   if (!detail::add_action_roots(out)) out.what = FivePoseCase::infinite;
   return out;
