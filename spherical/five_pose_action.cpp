@@ -58,7 +58,7 @@ std::optional<Dual> dual_of_cubics(const Quadrics& relation) {
       for (int i = 0; i < 5; ++i)
         for (int j = i; j < 5; ++j) m(place.cubic[z][i][j], column) += relation(r, place.quadratic[i][j]);
   const Eigen::ColPivHouseholderQR<Macaulay> qr(m);
-  if (!(std::abs(qr.matrixR()(28, 28)) > 0x1p-46 * std::abs(qr.matrixR()(0, 0)))) return std::nullopt;
+  if (!(std::abs(qr.matrixR()(28, 28)) > 0x1p-40 * std::abs(qr.matrixR()(0, 0)))) return std::nullopt;
   Dual last = Dual::Zero();
   last.bottomRows<6>().setIdentity();
   return qr.householderQ() * last;
