@@ -101,6 +101,7 @@ Pencil eliminate(const FivePoseEquations& equations, int x) {
     for (int k = 0; k < 3; ++k) out.P[static_cast<std::size_t>(side)].row(column[k]) = -m.block<1, 3>(k, 3 + 3 * side);
     out.c[static_cast<std::size_t>(side)] = m.block<1, 3>(3, 3 + 3 * side).transpose();
   }
+  out.pivot = std::min(out.pivot, m.row(3).cwiseAbs().maxCoeff() / first);
   return out;
 }
 
@@ -127,12 +128,20 @@ FivePoseRoots prepared(FivePoses poses) {
   else if (out.equations.spread <= same_tolerance)
     out.what = FivePoseCase::common_axis;
   if (out.what != FivePoseCase::regular) return out;
-  const double least = std::min(out.equations.closest, out.equations.spread);
-  out.indistinct = least < indistinct_tolerance;
-  const auto null = null_space(out.equations.rows);
-  const double noise = out.indistinct ? 0x1p-53 : 0x1p-52 / least;
-  if (null.is_zero(3, noise_factor * noise)) out.what = FivePoseCase::rank_deficient;
+  out.indistinct = std::min(out.equations.closest, out.equations.spread) < indistinct_tolerance;
   return out;
+}
+
+/// Equations of rank three always come here: their fourth pivot is no pivot.
+void take_action_path(FivePoseRoots& out) {
+  out.path = FivePosePath::action;
+  out.count = 0;
+  const double least = std::min(out.equations.closest, out.equations.spread);
+  const double noise = out.indistinct ? 0x1p-53 : 0x1p-52 / least;
+  if (null_space(out.equations.rows).is_zero(3, noise_factor * noise))
+    out.what = FivePoseCase::rank_deficient;
+  else if (!detail::add_action_roots(out))
+    out.what = FivePoseCase::infinite;
 }
 
 }  // namespace
@@ -153,7 +162,7 @@ bool detail::add_sextic_roots(double least_pivot, FivePoseRoots& out) {
   for (const double coefficient : sextic) size = std::max(size, std::abs(coefficient));
   const double b_size = largest<3>(b);
   if (!(size > undetermined * b_size * largest<3>(f))) return false;  // zero: a curve of dyads
-  const BinaryRoots<6> roots = binary_roots<6>(sextic);  // of (u1, u0)
+  const BinaryRoots<6> roots = binary_roots<6>(sextic);               // of (u1, u0)
   out.close = roots.depth >= close_depth;
   out.merging = roots.depth >= merging_depth;
   for (int i = 0; i < roots.count; ++i) {
@@ -171,21 +180,17 @@ bool detail::add_sextic_roots(double least_pivot, FivePoseRoots& out) {
 FivePoseRoots five_pose_roots(FivePoses poses, FivePosePath path) {
   FivePoseRoots out = prepared(poses);
   if (out.what != FivePoseCase::regular) return out;
-  out.path = path;
   if (path == FivePosePath::sextic)
     detail::add_sextic_roots(0, out);
-  else if (!detail::add_action_roots(out))
-    out.what = FivePoseCase::infinite;
+  else
+    take_action_path(out);
   return out;
 }
 
 FivePoseRoots five_pose_roots(FivePoses poses) {
   FivePoseRoots out = prepared(poses);
   if (out.what != FivePoseCase::regular) return out;
-  if (detail::add_sextic_roots(least_sextic_pivot, out) && !out.close) return out;
-  out.count = 0;
-  out.path = FivePosePath::action;
-  if (!detail::add_action_roots(out)) out.what = FivePoseCase::infinite;
+  if (!detail::add_sextic_roots(least_sextic_pivot, out) || out.close) take_action_path(out);
   return out;
 }
 

@@ -47,6 +47,7 @@ struct FivePoseRoots {
 /// measurements behind the number).
 inline constexpr double least_sextic_pivot = 0x1p-12;
 
+/// Where infinitely many dyads have one moving axis this may list others and not say so; FivePoseSolver does.
 FivePoseRoots five_pose_roots(FivePoses poses);
 
 /// One path whatever the pivots say, for tests and measurements. Nothing is listed for degenerate poses.

@@ -76,6 +76,9 @@ SphericalReport FivePoseSolver::solve(std::span<const Pose> poses) const {
   const FivePoses five = poses.first<5>();
   const FivePoseRoots roots = five_pose_roots(five);
   if (roots.what != FivePoseCase::regular) return degenerate(name_degeneracy(roots.what, poses));
+  // The sextic may have six roots where there are infinitely many dyads (one moving axis for a plane of fixed ones).
+  if (roots.path == FivePosePath::sextic && !detail::action_of(roots.equations))
+    return degenerate(name_degeneracy(FivePoseCase::infinite, poses));
   if (roots.indistinct)
     return degenerate(
         "not decided: two orientations, or the axes of all rotations, agree to within rounding of the data");

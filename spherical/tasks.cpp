@@ -97,8 +97,7 @@ FivePoseTask axis_in_two_places(Random& r) {
   const Axis axis = Space::random_feature(r);
   FivePoseTask task = generic(r);
   for (const std::array<std::size_t, 2>& pair : {std::array<std::size_t, 2>{0, 1}, {0, 2}, {3, 4}})
-    task[pair[1]] =
-        Space::pose(product(Space::point<double>(task[pair[0]]), about(axis, r.uniform(-pi, pi))));
+    task[pair[1]] = Space::pose(product(Space::point<double>(task[pair[0]]), about(axis, r.uniform(-pi, pi))));
   return task;
 }
 

@@ -37,7 +37,8 @@ int main(int argc, char** argv) {
   const long generic = argument(1, 300000), others = argument(2, 30000), coaxial = argument(3, 3000);
   bool good = true;
   fmt::print(
-      "| class | tasks | wrong counts | by the action path | error: median | 99.9 % | largest | tasks with 0 / 2 / 4 / 6 "
+      "| class | tasks | wrong counts | by the action path | error: median | 99.9 % | largest | tasks with 0 / 2 / 4 / "
+      "6 "
       "real dyads |\n|---|---|---|---|---|---|---|---|\n");
   for (const TaskClass& c : random_task_classes()) {
     const bool is_generic = c.name == "generic";

@@ -64,8 +64,11 @@ TEST(Invariance, UnderInversionWhichExchangesTheAxes) {
 TEST(Invariance, UnderScaleOfTheQuaternions) {
   for (const double factor : {3.7, -0.013, 1e5})
     expect_follow("Scale", [factor](Random&) {
-      return std::pair([=](const Pose& p) { return Pose{factor * p.w, factor * p.x, factor * p.y, factor * p.z}; },
-                       [](const RR::Design& d) { return d; });
+      return std::pair(
+          [=](const Pose& p) {
+            return Pose{factor * p.w, factor * p.x, factor * p.y, factor * p.z};
+          },
+          [](const RR::Design& d) { return d; });
     });
 }
 
@@ -78,7 +81,8 @@ TEST(Invariance, UnderDifferentScalesOfTheQuaternions) {
       return Pose{factor * p.w, factor * p.x, factor * p.y, factor * p.z};
     };
     // of close poses rounding of the scaled coordinates is a change of 1e-16 / 1e-6
-    expect_follow(task, scaled, [](const RR::Design& d) { return d; }, "Invariance.DifferentScales, task " + std::to_string(i));
+    expect_follow(
+        task, scaled, [](const RR::Design& d) { return d; }, "Invariance.DifferentScales, task " + std::to_string(i));
   }
 }
 

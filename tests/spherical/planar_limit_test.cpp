@@ -51,7 +51,8 @@ std::optional<PlanarDyad> newton(const PlanarTask& task, PlanarDyad d) {
 std::vector<PlanarDyad> planar_dyads(Random& random, const PlanarTask& task) {
   std::vector<PlanarDyad> out;
   for (int start = 0; start < 600; ++start) {
-    const auto found = newton(task, {{3 * random.normal(), 3 * random.normal()}, {3 * random.normal(), 3 * random.normal()}});
+    const auto found =
+        newton(task, {{3 * random.normal(), 3 * random.normal()}, {3 * random.normal(), 3 * random.normal()}});
     if (!found) continue;
     const bool known = std::any_of(out.begin(), out.end(), [&](const PlanarDyad& d) {
       return (d.moving - found->moving).norm() + (d.fixed - found->fixed).norm() < 1e-6;
@@ -81,7 +82,8 @@ double error(const std::vector<PlanarDyad>& planar, const SphericalReport& repor
     double least = 1e9;
     for (const auto& found : report.dyads) {
       const RR::Design s = support::as_RR(found.design);
-      least = std::min(least, (in_plane(s.moving, curvature) - d.moving).norm() + (in_plane(s.fixed, curvature) - d.fixed).norm());
+      least = std::min(
+          least, (in_plane(s.moving, curvature) - d.moving).norm() + (in_plane(s.fixed, curvature) - d.fixed).norm());
     }
     worst = std::max(worst, least);
   }
@@ -97,7 +99,8 @@ TEST(PlanarLimit, FourOfTheSixDyadsConvergeToThePlanarOnes) {
     const std::vector<PlanarDyad> planar = planar_dyads(random, task);
     if (planar.size() != 4) continue;
     ++with_four;
-    const SphericalReport wide = FivePoseSolver().solve(on_sphere(task, 1e-4)), narrow = FivePoseSolver().solve(on_sphere(task, 1e-5));
+    const SphericalReport wide = FivePoseSolver().solve(on_sphere(task, 1e-4)),
+                          narrow = FivePoseSolver().solve(on_sphere(task, 1e-5));
     EXPECT_EQ(wide.dyads.size(), 4u) << "task " << i << ": the other two are complex";
     EXPECT_EQ(narrow.dyads.size(), 4u) << "task " << i;
     const double coarse = error(planar, wide, 1e-4), fine = error(planar, narrow, 1e-5);

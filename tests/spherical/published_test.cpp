@@ -61,17 +61,18 @@ TEST(Published, AngelesBaiExample1ByTheMisprintedAngleIsAnotherProblem) {
 // Example 2 by the printed axes and angles (four digits). The columns a0 and b of its table are exchanged: what is printed
 // as b moves. The slider (fourth row) was found by least squares; five rounded poses only have an RR near it.
 TEST(Published, AngelesBaiExample2) {
-  const std::array<Pose, 5> poses{
-      Pose{}, pose_from_axis_radians({-0.2280, -0.4553, -0.8606}, 0.2563),
-      pose_from_axis_radians({-0.0578, 0.2370, -0.9697}, 1.1307), pose_from_axis_radians({0.5049, 0.8505, -0.1468}, 1.1938),
-      pose_from_axis_radians({0.7119, 0.6601, 0.2393}, 1.3665)};
+  const std::array<Pose, 5> poses{Pose{}, pose_from_axis_radians({-0.2280, -0.4553, -0.8606}, 0.2563),
+                                  pose_from_axis_radians({-0.0578, 0.2370, -0.9697}, 1.1307),
+                                  pose_from_axis_radians({0.5049, 0.8505, -0.1468}, 1.1938),
+                                  pose_from_axis_radians({0.7119, 0.6601, 0.2393}, 1.3665)};
   const Row table[] = {{{0.1219, -0.7089, -0.6946}, {0.2845, 0.3863, 0.8773}},
                        {{0.2309, 0.4566, 0.8591}, {0.7226, 0.5295, 0.4442}},
                        {{0.8134, 0.1643, 0.5579}, {0.9573, -0.2433, 0.1555}},
                        {{0.0655, 0.1015, 0.9926}, {0.5221, 0.8442, -0.1208}}};
   const SphericalReport report = FivePoseSolver().solve(poses);
   ASSERT_EQ(report.dyads.size(), 4u);
-  for (int i = 0; i < 3; ++i) EXPECT_LT(support::nearest(table[i].design(), report).distance, 3e-4) << "solution " << i + 1;
+  for (int i = 0; i < 3; ++i)
+    EXPECT_LT(support::nearest(table[i].design(), report).distance, 3e-4) << "solution " << i + 1;
   const auto fourth = support::nearest(table[3].design(), report);
   EXPECT_LT(fourth.distance, 3e-3);
   EXPECT_NEAR(support::as_RR(fourth.dyad->design).arc, (180 - 90.11025199884692) * degree, 0.4 * degree);
