@@ -134,6 +134,12 @@ SphericalReport judged_degenerate(FivePoseCase what, const CertifiedAxes& proved
   return report;
 }
 
+/// The sextic may have six roots where there are infinitely many dyads (one moving axis for a plane of fixed ones).
+FivePoseCase case_of(const FivePoseRoots& roots) {
+  const bool hidden = roots.what == FivePoseCase::regular && roots.path == FivePosePath::sextic;
+  return hidden && !detail::action_of(roots.equations) ? FivePoseCase::infinite : roots.what;
+}
+
 }  // namespace
 
 Found<Dyads::Design> found_dyad(const RR::Design& dyad, std::span<const Pose> poses) {
@@ -168,8 +174,9 @@ SphericalReport FivePoseSolver::solve(std::span<const Pose> poses) const {
     for (const RR::Design& dyad : real) found.push_back({dyad.moving, dyad.fixed});
     proved = certified_axes(five, found);
   }
-  if (roots.what != FivePoseCase::regular || proved.degeneracy != Degeneracy::none)
-    return certify ? judged_degenerate(roots.what, proved, five) : degenerate(name_degeneracy(roots.what, poses));
+  const FivePoseCase what = proved.complete ? roots.what : case_of(roots);
+  if (what != FivePoseCase::regular || proved.degeneracy != Degeneracy::none)
+    return certify ? judged_degenerate(what, proved, five) : degenerate(name_degeneracy(what, poses));
   if (roots.indistinct && !proved.complete) return degenerate(undecided);
   SphericalReport report = proved.complete ? certified_report(proved, real, five) : report_of(real, poses);
   if (roots.indistinct) report.warnings.push_back(indistinct_warning);
