@@ -79,9 +79,8 @@ TEST(Semigraphical, EveryDyadFoundIsOne) {
 TEST(Semigraphical, FindsAPlantedDyad) {
   Random random("Semigraphical.FindsAPlantedDyad");
   int found = 0;
-  for (int i = 0; i < 40; ++i) {
+  for (int i = 0; i < 20; ++i) {
     const RR::Design d = RR::random_design(random);
-    const RR::Design seen{d.fixed, d.moving, d.arc};
     std::vector<Pose> poses;
     for (int j = 0; j < 5; ++j) {  // turn E until its axis a is at the arc from b
       const Pose p = Space::random_pose(random);
@@ -92,9 +91,9 @@ TEST(Semigraphical, FindsAPlantedDyad) {
       poses.push_back(Space::pose(Space::product<double>(Space::point<double>(turn), Space::point<double>(p))));
     }
     for (const double r : residuals(d, poses)) ASSERT_LT(r, 1e-12);
-    found += near(semigraphical(poses).dyads, seen, 1e-8);
+    found += near(semigraphical(poses).dyads, d, 1e-8);
   }
-  EXPECT_GE(found, 39);  // a picture may hide one
+  EXPECT_GE(found, 19);  // a picture may hide one
 }
 
 TEST(Semigraphical, NamesDegenerateOrientations) {
