@@ -12,14 +12,12 @@
 #pragma once
 
 #include <array>
-#include <span>
 
 #include "burmester/geometry/binary_form.hpp"
 #include "burmester/spherical/equal_angles.hpp"
+#include "burmester/spherical/five_pose_equations.hpp"
 
 namespace burmester::spherical {
-
-using FivePoses = std::span<const Pose, 5>;
 
 /// The four equations: a^T N b' = 0.
 template <class T>

@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cassert>
 #include <numbers>
 
 #include "burmester/modules/framework/condition.hpp"
 #include "burmester/modules/framework/equal_poses.hpp"
 #include "burmester/spherical/family.hpp"
+#include "burmester/spherical/five_pose_certificate.hpp"
 #include "burmester/spherical/five_pose_roots.hpp"
 
 namespace burmester::spherical {
@@ -18,6 +20,12 @@ namespace {
 constexpr double merging_condition = 0x1p22;
 constexpr const char* merging_warning =
     "two dyads coincide within rounding of the poses: the number of real dyads may be off by two";
+constexpr const char* nearly_merging_warning =
+    "two dyads nearly merge: a change of the poses by their rounding may make two dyads merge or appear";
+constexpr const char* undecided =
+    "not decided: two orientations, or the axes of all rotations, agree to within rounding of the data";
+constexpr const char* indistinct_warning =
+    "two orientations, or the axes of all rotations, agree to within rounding: the answer holds for the doubles given";
 
 std::string name_degeneracy(FivePoseCase what, std::span<const Pose> poses) {
   switch (what) {
@@ -35,10 +43,94 @@ std::string name_degeneracy(FivePoseCase what, std::span<const Pose> poses) {
   }
 }
 
+std::string name_proved(Degeneracy what, std::span<const Pose> poses) {
+  switch (what) {
+    case Degeneracy::equal_orientations:
+      return name_degeneracy(FivePoseCase::equal_poses, poses);
+    case Degeneracy::one_axis:
+      return name_degeneracy(FivePoseCase::common_axis, poses);
+    case Degeneracy::rank_deficient:
+      return name_degeneracy(FivePoseCase::rank_deficient, poses);
+    case Degeneracy::moving_on_circle:
+      return "infinitely many dyads: a moving axis takes only two places, and every fixed axis as far from the one as "
+             "from the other goes with it";
+    default:
+      return "infinitely many dyads: seen from the body a fixed axis takes only two places, and every moving axis as "
+             "far from the one as from the other goes with it";
+  }
+}
+
 SphericalReport degenerate(std::string message) {
   SphericalReport report;
   report.status = Status::degenerate;
   report.message = std::move(message);
+  return report;
+}
+
+/// The report on poses with six dyads over the complex numbers, of which these are the real ones.
+SphericalReport regular(std::vector<Found<Dyads::Design>> dyads) {
+  SphericalReport report;
+  const int count = static_cast<int>(dyads.size());
+  report.dyads = std::move(dyads);
+  report.status = count > 0 ? Status::exact : Status::none;
+  report.counts = {0, 6, count, false};
+  report.message = count > 0 ? fmt::format("{} real dyad{} of 6 over the complex numbers", count, count == 1 ? "" : "s")
+                             : "no real dyad exists: all 6 are complex";
+  sort_dyads(report);
+  return report;
+}
+
+std::vector<RR::Design> dyads_of(const FivePoseRoots& roots, FivePoses poses) {
+  std::vector<RR::Design> out;
+  for (int i = 0; i < roots.count; ++i)
+    out.push_back(dyad_of(roots.equations, roots.root[static_cast<std::size_t>(i)], poses));
+  return out;
+}
+
+bool nearly_merge(const FivePoseRoots& roots, const SphericalReport& report) {
+  return roots.merging || std::any_of(report.dyads.begin(), report.dyads.end(), [](const auto& found) {
+           return !(found.condition.value_or(0) < merging_condition);
+         });
+}
+
+// ---- With proof ----
+
+/// The dyads as they were found where intervals proved them, else as elimination gives them.
+SphericalReport certified_report(const CertifiedAxes& proved, const std::vector<RR::Design>& real, FivePoses poses) {
+  const Pose& reference = poses[static_cast<std::size_t>(proved.reference)];
+  std::vector<Found<Dyads::Design>> dyads;
+  double radius = 0;
+  bool coincide = false;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(proved.count); ++i) {
+    const AxisPair& axes = proved.axes[i];
+    RR::Design dyad{axes.fixed, axes.moving, 0};
+    dyad.arc = proved.boxes[i].rung == Rung::intervals ? real[i].arc : RR::residual(dyad, reference);
+    auto& found = dyads.emplace_back(found_dyad(dyad, poses));
+    const double bound = error_bound(found.design, proved.boxes[i], reference);
+    found.certificate = {std::isfinite(bound), bound, proved.boxes[i].rung};
+    radius = std::max(radius, bound);
+    coincide = coincide || proved.boxes[i].multiplicity > 1;
+  }
+  SphericalReport report = regular(std::move(dyads));
+  report.counts.certified = std::isfinite(radius);
+  if (report.counts.certified)  // printed: never below the radius
+    report.message +=
+        report.dyads.empty() ? ", proved" : fmt::format(", proved complete, true to {:.0e}", 1.5 * radius);
+  if (coincide) report.warnings.push_back("some of the dyads coincide: they count more than once among the 6");
+  return report;
+}
+
+/// The verdict on orientations that are degenerate within rounding: proved of the doubles, or what is true of these.
+SphericalReport judged_degenerate(FivePoseCase what, const CertifiedAxes& proved, FivePoses poses) {
+  SphericalReport report = degenerate(name_degeneracy(what, poses));
+  report.counts.certified = proved.degeneracy != Degeneracy::none;
+  if (report.counts.certified)
+    report.message = name_proved(proved.degeneracy, poses) + ", proved";
+  else if (proved.count >= 0)
+    report.message += fmt::format("; true within rounding, the doubles given have {} real dyad{}", proved.count,
+                                  proved.count == 1 ? "" : "s");
+  else
+    report.message += ", within rounding";
   return report;
 }
 
@@ -60,32 +152,32 @@ Found<Dyads::Design> found_dyad(const RR::Design& dyad, std::span<const Pose> po
 }
 
 SphericalReport report_of(const std::vector<RR::Design>& real, std::span<const Pose> poses) {
-  SphericalReport report;
-  for (const RR::Design& dyad : real) report.dyads.push_back(found_dyad(dyad, poses));
-  const int count = static_cast<int>(real.size());
-  report.status = count > 0 ? Status::exact : Status::none;
-  report.counts = {0, 6, count, false};
-  report.message = count > 0 ? fmt::format("{} real dyad{} of 6 over the complex numbers", count, count == 1 ? "" : "s")
-                             : "no real dyad exists: all 6 are complex";
-  sort_dyads(report);
-  return report;
+  std::vector<Found<Dyads::Design>> dyads;
+  for (const RR::Design& dyad : real) dyads.push_back(found_dyad(dyad, poses));
+  return regular(std::move(dyads));
 }
 
 SphericalReport FivePoseSolver::solve(std::span<const Pose> poses) const {
   assert(poses.size() == 5);
   const FivePoses five = poses.first<5>();
   const FivePoseRoots roots = five_pose_roots(five);
-  if (roots.what != FivePoseCase::regular) return degenerate(name_degeneracy(roots.what, poses));
-  if (roots.indistinct)
-    return degenerate(
-        "not decided: two orientations, or the axes of all rotations, agree to within rounding of the data");
-  std::vector<RR::Design> real;
-  for (int i = 0; i < roots.count; ++i)
-    real.push_back(dyad_of(roots.equations, roots.root[static_cast<std::size_t>(i)], five));
-  SphericalReport report = report_of(real, poses);
-  bool merging = roots.merging;
-  for (const auto& found : report.dyads) merging = merging || !(found.condition.value_or(0) < merging_condition);
-  if (merging) report.warnings.push_back(merging_warning);
+  const std::vector<RR::Design> real = dyads_of(roots, five);
+  CertifiedAxes proved;
+  if (certify) {
+    std::vector<AxisPair> found;
+    for (const RR::Design& dyad : real) found.push_back({dyad.moving, dyad.fixed});
+    proved = certified_axes(five, found);
+  }
+  if (roots.what != FivePoseCase::regular || proved.degeneracy != Degeneracy::none)
+    return certify ? judged_degenerate(roots.what, proved, five) : degenerate(name_degeneracy(roots.what, poses));
+  if (roots.indistinct && !proved.complete) return degenerate(undecided);
+  SphericalReport report = proved.complete ? certified_report(proved, real, five) : report_of(real, poses);
+  if (roots.indistinct) report.warnings.push_back(indistinct_warning);
+  if (proved.complete && proved.count != roots.count)
+    report.warnings.push_back(
+        fmt::format("{} real dyads are proved to exist, but {} were found at first", proved.count, roots.count));
+  if (nearly_merge(roots, report))
+    report.warnings.push_back(proved.complete ? nearly_merging_warning : merging_warning);
   return report;
 }
 

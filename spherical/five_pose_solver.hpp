@@ -11,13 +11,14 @@ using SphericalReport = Report<Dyads>;
 /// An RR whose arc is within this of 90 deg also says which slider it nearly is (radians).
 inline constexpr double near_slider_departure = 1e-3;
 
-/// The direct solver (five_pose_roots.hpp) with types, residuals, conditions and a verdict on degenerate poses.
+/// The direct solver (five_pose_roots.hpp) with types, residuals, conditions, a verdict on degenerate poses and, unless
+/// told otherwise, the proof that the list is complete (five_pose_certificate.hpp).
 /// Precondition: exactly five poses of finite numbers, no quaternion zero.
 struct FivePoseSolver {
   using Pose = spherical::Pose;
   using Dyads = spherical::Dyads;
   static constexpr const char* name = "five orientations, direct";
-  static constexpr const char* answers = "all RR and PR dyads for five orientations in one solve";
+  static constexpr const char* answers = "all RR and PR dyads for five orientations in one solve, proved complete";
   bool certify = true;
   SphericalReport solve(std::span<const Pose> poses) const;
 };

@@ -114,7 +114,7 @@ TEST(FivePoses, DegenerateOnesAreNamed) {
                         : c.name == "common_axis" ? "have one axis"
                                                   : "fewer than four independent conditions";
     for (int i = 0; i < 200; ++i) {
-      const SphericalReport report = FivePoseSolver().solve(c.make(random));
+      const SphericalReport report = FivePoseSolver{.certify = false}.solve(c.make(random));
       EXPECT_EQ(report.status, Status::degenerate) << c.name << ", task " << i;
       EXPECT_NE(report.message.find(words), std::string::npos) << c.name << ", task " << i << ": " << report.message;
       EXPECT_TRUE(report.dyads.empty() && !report.counts.real && !report.counts.complex);
@@ -140,7 +140,7 @@ TEST(FivePoses, CoincidingDyadsAreNamed) {
                    (1 - t) * from[j].y + t * to[j].y, (1 - t) * from[j].z + t * to[j].z};
       return task;
     };
-    const auto count = [&](double t) { return FivePoseSolver().solve(between(t)).dyads.size(); };
+    const auto count = [&](double t) { return FivePoseSolver{.certify = false}.solve(between(t)).dyads.size(); };
     double low = 0, high = 1;
     const std::size_t at_low = count(low);
     if (at_low == count(high)) continue;
@@ -149,7 +149,8 @@ TEST(FivePoses, CoincidingDyadsAreNamed) {
       const double middle = (low + high) / 2;
       (count(middle) == at_low ? low : high) = middle;
     }
-    const SphericalReport a = FivePoseSolver().solve(between(low)), b = FivePoseSolver().solve(between(high));
+    const SphericalReport a = FivePoseSolver{.certify = false}.solve(between(low)),
+                          b = FivePoseSolver{.certify = false}.solve(between(high));
     named += !(a.dyads.size() > b.dyads.size() ? a : b).warnings.empty();
   }
   EXPECT_EQ(named, ways);

@@ -1,0 +1,116 @@
+// What people read of a proof: messages, certificates and verdicts in the reports of FivePoseSolver.
+#include <gmock/gmock.h>
+
+#include <numbers>
+
+#include "burmester/spherical/five_pose_solver.hpp"
+#include "burmester/spherical/tasks.hpp"
+
+namespace burmester::spherical {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+SphericalReport solved(const FivePoseTask& task) { return FivePoseSolver().solve(task); }
+
+TEST(SphericalReports, EveryRandomTaskIsProvedComplete) {
+  for (const TaskClass& c : random_task_classes()) {
+    const std::string stream = "SphericalReports.EveryRandomTaskIsProvedComplete." + std::string(c.name);
+    Random random(stream);
+    for (int i = 0; i < 40; ++i) {
+      const SphericalReport report = solved(c.make(random));
+      ASSERT_TRUE(report.counts.certified) << stream << ' ' << i << ": " << report.message;
+      EXPECT_EQ(report.counts.real, static_cast<int>(report.dyads.size()));
+      EXPECT_THAT(report.message, HasSubstr(report.dyads.empty() ? ", proved" : ", proved complete, true to "));
+      for (const auto& found : report.dyads) {
+        EXPECT_TRUE(found.certificate.certified);
+        EXPECT_NE(found.certificate.rung, Rung::none);
+        EXPECT_GT(found.certificate.radius, 0);
+        EXPECT_LE(found.certificate.radius, 1e-9 + found.departure.value_or(0)) << stream << ' ' << i;
+      }
+    }
+  }
+}
+
+TEST(SphericalReports, TheRadiusOfASliderHoldsItsDeparture) {
+  const std::string stream = "SphericalReports.TheRadiusOfASliderHoldsItsDeparture";
+  SCOPED_TRACE(stream);
+  Random random(stream);
+  int sliders = 0;
+  for (int i = 0; i < 20; ++i) {
+    PlantedSlider planted = planted_slider(random);
+    for (Pose& p : planted.task) p = Space::nudged(p, 1e-11 * Space::random_feature(random));
+    for (const auto& found : solved(planted.task).dyads)
+      if (std::holds_alternative<PR::Design>(found.design)) {
+        ++sliders;
+        EXPECT_GE(found.certificate.radius, 0.99 * found.departure.value());
+      }
+  }
+  EXPECT_GT(sliders, 10);
+}
+
+TEST(SphericalReports, WithoutProofNothingIsClaimed) {
+  Random random("SphericalReports.WithoutProofNothingIsClaimed");
+  const SphericalReport report = FivePoseSolver{.certify = false}.solve(planted_four_bar(random).task);
+  EXPECT_FALSE(report.counts.certified);
+  EXPECT_THAT(report.message, Not(HasSubstr("proved")));
+  ASSERT_FALSE(report.dyads.empty());
+  EXPECT_FALSE(report.dyads[0].certificate.certified);
+}
+
+TEST(SphericalReports, ExactDegeneraciesAreProved) {
+  const FivePoseTask equal{Pose{1, 2, 3, 4}, {1, 0, 0, 1}, {2, 1, 0, 0}, {-3, -6, -9, -12}, {0, 1, 1, 0}};
+  const FivePoseTask one_axis{Pose{1, 0, 0, 0}, {1, 1, 2, -1}, {2, 3, 6, -3}, {0, 1, 2, -1}, {5, 1, 2, -1}};
+  const FivePoseTask four_about_one{Pose{1, 0, 0, 0}, {1, 1, 2, -1}, {2, 3, 6, -3}, {0, 1, 2, -1}, {5, 1, 0, -1}};
+  const FivePoseTask three_and_two{Pose{1, 0, 0, 0}, {1, 0, 0, 1}, {2, 0, 0, 3}, {1, 2, 3, 4}, {-3, 5, 1, 5}};
+  const std::pair<FivePoseTask, const char*> named[] = {{equal, "poses 1 and 4 are equal"},
+                                                        {one_axis, "have one axis"},
+                                                        {four_about_one, "fewer than four independent conditions"},
+                                                        {three_and_two, "takes only two places"}};
+  for (const auto& [task, words] : named) {
+    const SphericalReport report = solved(task);
+    EXPECT_EQ(report.status, Status::degenerate);
+    EXPECT_TRUE(report.counts.certified) << report.message;
+    EXPECT_THAT(report.message, AllOf(HasSubstr(words), EndsWith(", proved")));
+    EXPECT_THAT(report.dyads, IsEmpty());
+  }
+}
+
+TEST(SphericalReports, RoundedDegeneraciesSayWhatHoldsOfTheDoubles) {
+  const std::string stream = "SphericalReports.RoundedDegeneraciesSayWhatHoldsOfTheDoubles";
+  SCOPED_TRACE(stream);
+  Random random(stream);
+  const SphericalReport report = solved(find_task_class("common_axis")->make(random));
+  EXPECT_EQ(report.status, Status::degenerate);
+  EXPECT_FALSE(report.counts.certified);
+  EXPECT_THAT(report.message,
+              AllOf(HasSubstr("have one axis"), HasSubstr("true within rounding, the doubles given have ")));
+}
+
+/// Two orientations that differ by 1e-11: too near for the data of a measurement, but a task like any other.
+TEST(SphericalReports, IndistinctOrientationsAreAnsweredForTheDoubles) {
+  const std::string stream = "SphericalReports.IndistinctOrientationsAreAnsweredForTheDoubles";
+  SCOPED_TRACE(stream);
+  Random random(stream);
+  FivePoseTask task = find_task_class("generic")->make(random);
+  task[3] = Space::nudged(task[0], 1e-11 * Space::random_feature(random));
+  EXPECT_THAT(FivePoseSolver{.certify = false}.solve(task).message, HasSubstr("not decided"));
+  const SphericalReport report = solved(task);
+  EXPECT_TRUE(report.counts.certified);
+  EXPECT_THAT(report.warnings, ::testing::Contains(HasSubstr("the answer holds for the doubles given")));
+}
+
+TEST(SphericalReports, CoincidingDyadsAreProvedAndNamed) {
+  const FivePoseTask task{Pose{1, 0, 0, 0}, {1, 2, 0, -2}, {3, 1, -5, -1}, {3, 2, 8, -2}, {4, 0, 5, -4}};
+  const SphericalReport report = solved(task);
+  EXPECT_EQ(report.dyads.size(), 3u);
+  EXPECT_TRUE(report.counts.certified);
+  EXPECT_THAT(report.warnings, ::testing::Contains(HasSubstr("coincide")));
+}
+
+}  // namespace
+}  // namespace burmester::spherical
