@@ -2,6 +2,8 @@
 // Where to start:
 //   pose.hpp, space.hpp      poses, and the image space P^3 (quaternions)
 //   dyads.hpp, family.hpp    the dyad types, and the one linear family they all live in
+//   five_pose_solver.hpp     five orientations in, a report with every dyad out (docs/spherical.md)
+//   tasks.hpp                tasks by name, for tests and measurements
 //   pose_format.hpp          the poses that files may hold
 #pragma once
 
