@@ -1,5 +1,5 @@
-// Five orientations: the direct solver beside Eigen's dense eigenvalue solver, in one binary with the same flags, on the same
-// tasks, and the share of tasks in which it takes its slower path.
+// Five orientations: the direct solver beside Eigen's dense eigenvalue solver, in one binary with the same flags, on
+// the same tasks, and the share of tasks in which it takes its slower path.
 //
 // Routes:
 //   direct         spherical::five_pose_roots: equations, sextic, real roots, polish

@@ -1,8 +1,8 @@
 // The real roots of a binary form F(s, t) = sum c[k] s^k t^(N-k) of even degree in doubles: fast, and not proved.
 //
-// Isolation by Descartes' rule on Bernstein coefficients with subdivision (J. M. Lane and R. F. Riesenfeld, "Bounds on a
-// polynomial", BIT 21 (1981)) in two charts, s/t and t/s in [-1, 1], that agree on the signs at their common ends, so that
-// the number of roots is always even; then Newton's method kept between the ends. simple_roots.hpp proves its
+// Isolation by Descartes' rule on Bernstein coefficients with subdivision (J. M. Lane and R. F. Riesenfeld, "Bounds on
+// a polynomial", BIT 21 (1981)) in two charts, s/t and t/s in [-1, 1], that agree on the signs at their common ends, so
+// that the number of roots is always even; then Newton's method kept between the ends. simple_roots.hpp proves its
 // roots at about three times the cost. No allocation.
 #pragma once
 
@@ -18,8 +18,8 @@ template <int N>
 struct BinaryRoots {
   int count = 0;
   std::array<Vector<double, 2>, N> at;  ///< (s, t), the larger of the two is 1
-  /// Bisections of [-1, 1] that it took: two roots, or a pair of complex ones, may be 2^(1 - depth) apart. At `deepest` no
-  /// more is tried, and they are listed as two equal roots.
+  /// Bisections of [-1, 1] that it took: two roots, or a pair of complex ones, may be 2^(1 - depth) apart. At `deepest`
+  /// no more is tried, and they are listed as two equal roots.
   int depth = 0;
   static constexpr int deepest = 48;
 };

@@ -1,11 +1,11 @@
-// The five-orientation synthesis equations of the sphere, in unknowns that stay regular for small and for nearly coaxial
-// rotations.
+// The five-orientation synthesis equations of the sphere, in unknowns that stay regular for small and for nearly
+// coaxial rotations.
 //
 // Let one pose be the reference, (c_j, s_j) the quaternion of the rotation from it to pose j, a the moving axis in the
 // reference pose and b the fixed axis, both in S. The angle between them is kept when
 //     c_j s_j . (a x b) - (s_j x a) . (s_j x b) = 0,   j = 1..4,                                     (1)
-// which is linear in a x b and in the symmetric part of a b^T, and homogeneous in the quaternion. Where all rotations are
-// small (|s_j| about e) the first part dominates, and a and b agree to order e: so the unknowns are
+// which is linear in a x b and in the symmetric part of a b^T, and homogeneous in the quaternion. Where all rotations
+// are small (|s_j| about e) the first part dominates, and a and b agree to order e: so the unknowns are
 //     W = a x b / e,   S = (a b^T + b a^T) / 2,                                                      (2)
 // and four equations on k = (W, S) in P^8 meet the variety (scaled Segre variety, degree 6)
 //     S W = 0,   adj S + (e^2 / 4) W W^T = 0,   parametrised by   W = -2 m x h,  S = m m^T - e^2 h h^T,   (3)

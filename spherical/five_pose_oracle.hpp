@@ -1,7 +1,7 @@
 // Two slow, exact ways to the dyads of five orientations: what tests hold the direct solver against. Both take the
-// doubles of the quaternions as exact numbers, form a polynomial of degree six with integer coefficients, and isolate its
-// real roots exactly (geometry/real_roots.hpp); they share nothing with the direct solver or, before the roots, with
-// each other.
+// doubles of the quaternions as exact numbers, form a polynomial of degree six with integer coefficients, and isolate
+// its real roots exactly (geometry/real_roots.hpp); they share nothing with the direct solver or, before the roots,
+// with each other.
 //
 //   elimination   c, c P, c P P from the four bilinear equations (five_pose_roots.hpp says how), by minors of integers
 //   cubic cones   moving axes of the poses 1, 2, 3, 4 lie on a cubic cone, those of 1, 2, 3, 5 on another (Angeles and

@@ -19,7 +19,8 @@ constexpr double noise_factor = 256;
 constexpr int close_depth = 20;
 /// Those 2^-26 apart: rounding, whose effect on a double root is its square root, decides whether they are real.
 constexpr int merging_depth = 27;
-/// Relative size below which rounding (2^-53, over a pivot of 2^-12 at least) leaves nothing of the sextic or of an axis.
+/// Relative size below which rounding (2^-53, over a pivot of 2^-12 at least) leaves nothing of the sextic or of an
+/// axis.
 constexpr double undetermined = 0x1p-40;
 
 /// Vectors of binary forms: coefficient k belongs to u0^(n-k) u1^k.
@@ -105,8 +106,8 @@ Pencil eliminate(const FivePoseEquations& equations, int x) {
   return out;
 }
 
-/// The elimination with a small pivot only if all are. Where the axes nearly agree two of the dyads are near the complex
-/// (1, +-i, 0) (x) (1, +-i, 0): there only elimination along the common axis keeps them apart.
+/// The elimination with a small pivot only if all are. Where the axes nearly agree two of the dyads are near the
+/// complex (1, +-i, 0) (x) (1, +-i, 0): there only elimination along the common axis keeps them apart.
 Pencil best_elimination(const FivePoseEquations& equations, double least_pivot) {
   Pencil best = eliminate(equations, 2);
   for (int x = 0; x < 2 && best.pivot < least_pivot && equations.d == 1; ++x)

@@ -1,9 +1,9 @@
 // Five orientations: all real dyads in one solve, in the scaled unknowns of five_pose_equations.hpp. Two paths:
 //
-// Sextic, for rotations of ordinary size. With a = (x, u) split into one coordinate and a point u of the projective line,
-// elimination of x b from the four bilinear equations leaves x b = P(u) b and c(u) . b = 0, linear in u. So b is an
-// eigenvector of P that c does not see: c, c P and c P P are orthogonal to b, and their determinant, of degrees 1 + 2 + 3,
-// is a binary form whose real roots (geometry/binary_roots.hpp) are the dyads: b = c x cP, x = b . P b / b . b.
+// Sextic, for rotations of ordinary size. With a = (x, u) split into one coordinate and a point u of the projective
+// line, elimination of x b from the four bilinear equations leaves x b = P(u) b and c(u) . b = 0, linear in u. So b is
+// an eigenvector of P that c does not see: c, c P and c P P are orthogonal to b, and their determinant, of degrees 1 +
+// 2 + 3, is a binary form whose real roots (geometry/binary_roots.hpp) are the dyads: b = c x cP, x = b . P b / b . b.
 //
 // Action, where rotations are so small that this elimination has small pivots, or two of its roots are close: the null
 // space of the four equations on k = (W, S) carries the six dyads as the common points of nine quadrics of P^4; a basis
@@ -54,8 +54,9 @@ FivePoseRoots five_pose_roots(FivePoses poses);
 FivePoseRoots five_pose_roots(FivePoses poses, FivePosePath path);
 
 namespace detail {
-/// What the action path works with: k = basis z; values of the six linear functions on the cubic monomials of z that vanish
-/// on the ideal; multiplication by a quotient of two linear forms, whose eigenvectors name those of the six points.
+/// What the action path works with: k = basis z; values of the six linear functions on the cubic monomials of z that
+/// vanish on the ideal; multiplication by a quotient of two linear forms, whose eigenvectors name those of the six
+/// points.
 struct Action {
   Matrix<double, 9, 5> basis;
   Matrix<double, 35, 6> dual;

@@ -92,7 +92,8 @@ FivePoseTask coaxial(Random& r, int count) {
 FivePoseTask common_axis(Random& r) { return coaxial(r, 5); }
 FivePoseTask four_coaxial(Random& r) { return coaxial(r, 4); }
 
-/// An axis of the body is in one place in three orientations and in another in two: it keeps its angle from a plane of axes.
+/// An axis of the body is in one place in three orientations and in another in two: it keeps its angle from a plane of
+/// axes.
 FivePoseTask axis_in_two_places(Random& r) {
   const Axis axis = Space::random_feature(r);
   FivePoseTask task = generic(r);

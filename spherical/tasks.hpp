@@ -1,5 +1,5 @@
-// Five-orientation tasks by name: random ones, ones with planted dyads, and degenerate ones. Tests, benchmarks and studies
-// draw from here.
+// Five-orientation tasks by name: random ones, ones with planted dyads, and degenerate ones. Tests, benchmarks and
+// studies draw from here.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // The direct five-orientation solver against exact elimination on many random tasks of every class.
-//   study_spherical_five_pose [generic tasks, default 300000] [other classes, default 30000] [nearly coaxial, default 3000]
+//   study_spherical_five_pose [generic tasks, 300000] [tasks of every other class, 30000] [nearly coaxial, 3000]
 // Exit code 1 where more counts are wrong than allowed (one of the generic tasks), or an error exceeds its limit.
 #include <fmt/format.h>
 

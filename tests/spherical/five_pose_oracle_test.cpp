@@ -1,5 +1,5 @@
-// The direct solver against exact elimination, class by class, and the two oracles against each other: the seeded, small
-// version of the study (bench/studies/spherical_five_pose.cpp).
+// The direct solver against exact elimination, class by class, and the two oracles against each other: the seeded,
+// small version of the study (bench/studies/spherical_five_pose.cpp).
 #include "burmester/spherical/five_pose_oracle.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
-// Orientations close to each other about axes near one point of the sphere look planar from there: as the radius grows in
-// units of the task, the dyads near that point converge to those of the planar poses in the tangent plane, with an error
-// that falls with the square of the curvature. The planar dyads come from a search of its own: Newton's method on
+// Orientations close to each other about axes near one point of the sphere look planar from there: as the radius grows
+// in units of the task, the dyads near that point converge to those of the planar poses in the tangent plane, with an
+// error that falls with the square of the curvature. The planar dyads come from a search of its own: Newton's method on
 //   |R_j p + t_j - c|^2 = |R_0 p + t_0 - c|^2,  j = 1..4,
 // from many starts.
 #include <gtest/gtest.h>

@@ -23,9 +23,9 @@ struct Row {
 /// The digits of x as printed: cut off after the fourth, not rounded.
 double cut(double x) { return std::trunc(x * 1e4) / 1e4; }
 
-// Example 1 by the angles beta in whole degrees (longitude, latitude and roll of the moving frame); the table of solutions
-// is reproduced to all digits. beta2 of the second pose is printed as -6; axis and angle beside it, and the solutions,
-// belong to +6.
+// Example 1 by the angles beta in whole degrees (longitude, latitude and roll of the moving frame); the table of
+// solutions is reproduced to all digits. beta2 of the second pose is printed as -6; axis and angle beside it, and the
+// solutions, belong to +6.
 TEST(Published, AngelesBaiExample1) {
   const std::array<Pose, 5> poses{Pose{}, pose_from_globe_degrees(-10, 6, 0), pose_from_globe_degrees(-51, -52, -12),
                                   pose_from_globe_degrees(15, -56, 47), pose_from_globe_degrees(33, -40, 47)};
@@ -58,8 +58,8 @@ TEST(Published, AngelesBaiExample1ByTheMisprintedAngleIsAnotherProblem) {
   EXPECT_TRUE(report.dyads.empty() || support::nearest(first.design(), report).distance > 1e-2);
 }
 
-// Example 2 by the printed axes and angles (four digits). The columns a0 and b of its table are exchanged: what is printed
-// as b moves. The slider (fourth row) was found by least squares; five rounded poses only have an RR near it.
+// Example 2 by the printed axes and angles (four digits). The columns a0 and b of its table are exchanged: what is
+// printed as b moves. The slider (fourth row) was found by least squares; five rounded poses only have an RR near it.
 TEST(Published, AngelesBaiExample2) {
   const std::array<Pose, 5> poses{Pose{}, pose_from_axis_radians({-0.2280, -0.4553, -0.8606}, 0.2563),
                                   pose_from_axis_radians({-0.0578, 0.2370, -0.9697}, 1.1307),

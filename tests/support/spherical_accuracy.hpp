@@ -1,6 +1,6 @@
-// How far the direct five-orientation solver is from exact elimination, class by class: used by the seeded test and by the
-// long study, with the same limits. Error of a dyad: the largest of the distances of its axes, as lines, and of its arc
-// from the exact one's (radians); counted where the number of dyads is right.
+// How far the direct five-orientation solver is from exact elimination, class by class: used by the seeded test and by
+// the long study, with the same limits. Error of a dyad: the largest of the distances of its axes, as lines, and of its
+// arc from the exact one's (radians); counted where the number of dyads is right.
 #pragma once
 
 #include <string_view>
