@@ -121,8 +121,7 @@ std::optional<CertifiedCommonPoint> lifted(RealRoot root, const P& s0, const P& 
       p[static_cast<std::size_t>(i)] =
           (RationalInterval(efc(i, 0)) * x + RationalInterval(efc(i, 1))) * t + RationalInterval(efc(i, 2)) * z;
     if (const auto box = scaled(p, narrow)) return CertifiedCommonPoint{*box, root.multiplicity()};
-    const Rational width = x.high() - x.low();
-    root.refine(Rational(width * std::min(width, Rational(1, 16))));
+    root.refine();
   }
 }
 

@@ -139,7 +139,8 @@ RealRoot::RealRoot(Factor factor, DyadicInterval box, int multiplicity)
 }
 
 double RealRoot::approximate() const {
-  return is_point() ? enclosure_.low : enclosure_.low / 2 + enclosure_.high / 2;
+  if (is_point() || std::isinf(enclosure_.high)) return enclosure_.low;
+  return std::isinf(enclosure_.low) ? enclosure_.high : enclosure_.low / 2 + enclosure_.high / 2;
 }
 
 RationalInterval RealRoot::bounds() const {
@@ -159,6 +160,12 @@ void RealRoot::refine(const Rational& width) {
 void RealRoot::refine(double width) {
   if (!std::isfinite(width)) throw std::invalid_argument("a root is refined to a positive, finite width");
   refine(Rational(width));
+}
+
+void RealRoot::refine() {
+  const RationalInterval box = bounds();
+  const Rational width = box.high() - box.low();
+  refine(Rational(width * std::min(width, Rational(1, 16))));
 }
 
 template <class Done>
@@ -202,8 +209,7 @@ int sign_at(const Polynomial<Rational>& p, RealRoot& root) {
     if (value.low() > 0) return 1;
     if (value.high() < 0) return -1;
     if (root.is_point() || (first && root.is_root_of(integer_multiple(p)))) return 0;
-    const Rational width = box.high() - box.low();
-    root.refine(Rational(width * std::min(width, Rational(1, 16))));
+    root.refine();
   }
 }
 

@@ -39,7 +39,7 @@ class RealRoot {
   /// The box in doubles, ends rounded outward. About 1e-15 wide, relative to the root, unless the coefficients are such
   /// that intervals of doubles cannot do better.
   Range enclosure() const { return enclosure_; }
-  /// A double in the enclosure; exact where is_point().
+  /// A finite double in the enclosure; the root itself where that is a double and is_point().
   double approximate() const;
   /// The box itself: no other root is in it, and those of different roots have at most end points in common.
   RationalInterval bounds() const;
@@ -48,6 +48,9 @@ class RealRoot {
   /// Narrows the box to this width at most, absolute. Throws std::invalid_argument unless width > 0 and finite.
   void refine(const Rational& width);
   void refine(double width);
+  /// Narrows the box to the square of its width, and to a sixteenth of it at least: for loops that end once it is narrow
+  /// enough. Precondition: not is_point().
+  void refine();
 
  private:
   friend int sign_at(const Polynomial<Rational>& p, RealRoot& root);
