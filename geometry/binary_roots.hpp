@@ -18,8 +18,10 @@ template <int N>
 struct BinaryRoots {
   int count = 0;
   std::array<Vector<double, 2>, N> at;  ///< (s, t), the larger of the two is 1
-  /// Two roots or none closer together than doubles can tell, somewhere; they are listed as two equal roots.
-  bool unresolved = false;
+  /// Bisections of [-1, 1] that it took: two roots, or a pair of complex ones, may be 2^(1 - depth) apart. At `deepest` no
+  /// more is tried, and they are listed as two equal roots.
+  int depth = 0;
+  static constexpr int deepest = 48;
 };
 
 namespace detail {
@@ -40,7 +42,6 @@ class BernsteinChart {
   }
 
  private:
-  static constexpr int deepest = 48;
   using Table = std::array<std::array<double, N + 1>, N + 1>;
 
   /// x^k on [-1, 1] with x = 2 v - 1: the coefficients of (y - 1)^k (y + 1)^(N-k), y = v / (1 - v), over binomials.
@@ -58,11 +59,11 @@ class BernsteinChart {
 
   void isolate(const Coefficients& b, double low, double width, int depth) {
     int changes = 0;
+    out_.depth = std::max(out_.depth, depth);
     for (int i = 0; i < N; ++i) changes += (b[i] < 0) != (b[i + 1] < 0);
     if (changes == 0) return;
-    if (changes == 1 || depth == deepest) {
+    if (changes == 1 || depth == out_.deepest) {
       if ((b[0] < 0) != (b[N] < 0)) return add(narrowed(low, low + width, b[0], b[N]));
-      out_.unresolved = true;
       add(low), add(low);
       return;
     }

@@ -58,7 +58,7 @@ std::optional<Dual> dual_of_cubics(const Quadrics& relation) {
       for (int i = 0; i < 5; ++i)
         for (int j = i; j < 5; ++j) m(place.cubic[z][i][j], column) += relation(r, place.quadratic[i][j]);
   const Eigen::ColPivHouseholderQR<Macaulay> qr(m);
-  if (!(std::abs(qr.matrixR()(28, 28)) > 0x1p-46 * std::abs(qr.matrixR()(0, 0)))) return std::nullopt;
+  if (!(std::abs(qr.matrixR()(28, 28)) > 0x1p-40 * std::abs(qr.matrixR()(0, 0)))) return std::nullopt;
   Dual last = Dual::Zero();
   last.bottomRows<6>().setIdentity();
   return qr.householderQ() * last;
@@ -85,19 +85,23 @@ Point4 point_of(const Eigen::Matrix<double, cubic_count, 1>& cubes) {
 
 }  // namespace
 
-bool detail::add_action_roots(FivePoseRoots& out) {
-  const double e = out.equations.e;
-  const Basis basis = orthonormal_null_space(out.equations);
-  const auto dual = dual_of_cubics(quadrics(basis, e));
-  if (!dual) return false;
+std::optional<detail::Action> detail::action_of(const FivePoseEquations& equations) {
+  const Basis basis = orthonormal_null_space(equations);
+  const auto dual = dual_of_cubics(quadrics(basis, equations.e));
+  if (!dual) return std::nullopt;
   // two linear forms in general position: no two dyads have the same quotient, none makes the divisor vanish
   const Point4 divisor{0.61, -0.47, 0.33, 0.42, -0.36}, form{-0.29, 0.53, 0.57, -0.31, -0.46};
-  const Eigen::Matrix<double, 6, 6> action =
-      contracted(*dual, divisor).colPivHouseholderQr().solve(contracted(*dual, form));
-  const Eigen::EigenSolver<Eigen::Matrix<double, 6, 6>> eigen(action);
+  return Action{basis, *dual, contracted(*dual, divisor).colPivHouseholderQr().solve(contracted(*dual, form))};
+}
+
+bool detail::add_action_roots(FivePoseRoots& out) {
+  const double e = out.equations.e;
+  const auto action = action_of(out.equations);
+  if (!action) return false;
+  const Eigen::EigenSolver<Eigen::Matrix<double, 6, 6>> eigen(Eigen::Matrix<double, 6, 6>(action->matrix));
   for (int i = 0; i < 6; ++i) {
     if (eigen.eigenvalues()[i].imag() != 0) continue;
-    ScaledDyad x = scaled_dyad(Lifted(basis * point_of(*dual * eigen.eigenvectors().col(i).real())), e);
+    ScaledDyad x = scaled_dyad(Lifted(action->basis * point_of(action->dual * eigen.eigenvectors().col(i).real())), e);
     for (int step = 0; step < 3; ++step)
       if (improve(out.equations, x) < 0x1p-40) break;
     out.root[static_cast<std::size_t>(out.count++)] = x;

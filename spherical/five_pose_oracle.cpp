@@ -76,7 +76,8 @@ Condition condition_of(const IntegerQuaternion& r) {
   }
   Condition out;
   for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t k = 0; k < 3; ++k) out[i][k] = frame[0][i] * N[0][k] + frame[1][i] * N[1][k] + frame[2][i] * N[2][k];
+    for (std::size_t k = 0; k < 3; ++k)
+      out[i][k] = frame[0][i] * N[0][k] + frame[1][i] * N[1][k] + frame[2][i] * N[2][k];
   return out;
 }
 
@@ -248,7 +249,8 @@ ExactFivePoses exact_by_elimination(FivePoses poses) {
   ExactFivePoses out{elimination.eliminant(), {}};
   add_real_dyads(out, [&](const Rational& t) {
     const Triple<Rational> c = value(elimination.c, t);
-    const Triple<Triple<Rational>> P{value(elimination.P[0], t), value(elimination.P[1], t), value(elimination.P[2], t)};
+    const Triple<Triple<Rational>> P{value(elimination.P[0], t), value(elimination.P[1], t),
+                                     value(elimination.P[2], t)};
     Triple<Rational> cP, Pb;
     for (std::size_t k = 0; k < 3; ++k) cP[k] = c[0] * P[0][k] + c[1] * P[1][k] + c[2] * P[2][k];
     const Triple<Rational> b = cross(c, cP);

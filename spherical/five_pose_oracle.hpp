@@ -50,7 +50,8 @@ struct ConesOracle {
   using Pose = spherical::Pose;
   using Dyads = spherical::Dyads;
   static constexpr const char* name = "five orientations, two cubic cones";
-  static constexpr const char* answers = "a slow oracle of the direct solver: common lines of two circle-point cones, exact";
+  static constexpr const char* answers =
+      "a slow oracle of the direct solver: common lines of two circle-point cones, exact";
   SphericalReport solve(std::span<const Pose> poses) const;
 };
 

@@ -15,6 +15,12 @@ constexpr double indistinct_tolerance = 0x1p-33;
 /// A pivot counts as zero when it is below what rounding the data once can make of zero, times this factor for the
 /// additions in between.
 constexpr double noise_factor = 256;
+/// Roots of the sextic about 2^-19 apart, real or not, may be a sign of infinitely many dyads: the other path tells.
+constexpr int close_depth = 20;
+/// Those 2^-26 apart: rounding, whose effect on a double root is its square root, decides whether they are real.
+constexpr int merging_depth = 27;
+/// Relative size below which rounding (2^-53, over a pivot of 2^-12 at least) leaves nothing of the sextic or of an axis.
+constexpr double undetermined = 0x1p-40;
 
 /// Vectors of binary forms: coefficient k belongs to u0^(n-k) u1^k.
 template <int degree>
@@ -25,6 +31,13 @@ Vector3 value(const Forms<n>& f, double u0, double u1) {
   Vector3 out = f[0];
   double power = u1;
   for (std::size_t k = 1; k <= n; ++k, power *= u1) out = out * u0 + power * f[k];
+  return out;
+}
+
+template <int n>
+double largest(const Forms<n>& f) {
+  double out = 0;
+  for (const Vector3& v : f) out = std::max(out, v.norm());
   return out;
 }
 
@@ -88,13 +101,15 @@ Pencil eliminate(const FivePoseEquations& equations, int x) {
     for (int k = 0; k < 3; ++k) out.P[static_cast<std::size_t>(side)].row(column[k]) = -m.block<1, 3>(k, 3 + 3 * side);
     out.c[static_cast<std::size_t>(side)] = m.block<1, 3>(3, 3 + 3 * side).transpose();
   }
+  out.pivot = std::min(out.pivot, m.row(3).cwiseAbs().maxCoeff() / first);
   return out;
 }
 
-/// The elimination with a small pivot only if all are.
+/// The elimination with a small pivot only if all are. Where the axes nearly agree two of the dyads are near the complex
+/// (1, +-i, 0) (x) (1, +-i, 0): there only elimination along the common axis keeps them apart.
 Pencil best_elimination(const FivePoseEquations& equations, double least_pivot) {
   Pencil best = eliminate(equations, 2);
-  for (int x = 0; x < 2 && best.pivot < least_pivot; ++x)
+  for (int x = 0; x < 2 && best.pivot < least_pivot && equations.d == 1; ++x)
     if (Pencil other = eliminate(equations, x); other.pivot > best.pivot) best = other;
   return best;
 }
@@ -113,12 +128,20 @@ FivePoseRoots prepared(FivePoses poses) {
   else if (out.equations.spread <= same_tolerance)
     out.what = FivePoseCase::common_axis;
   if (out.what != FivePoseCase::regular) return out;
-  const double least = std::min(out.equations.closest, out.equations.spread);
-  out.indistinct = least < indistinct_tolerance;
-  const auto null = null_space(out.equations.rows);
-  const double noise = out.indistinct ? 0x1p-53 : 0x1p-52 / least;
-  if (null.is_zero(3, noise_factor * noise)) out.what = FivePoseCase::rank_deficient;
+  out.indistinct = std::min(out.equations.closest, out.equations.spread) < indistinct_tolerance;
   return out;
+}
+
+/// Equations of rank three always come here: their fourth pivot is no pivot.
+void take_action_path(FivePoseRoots& out) {
+  out.path = FivePosePath::action;
+  out.count = 0;
+  const double least = std::min(out.equations.closest, out.equations.spread);
+  const double noise = out.indistinct ? 0x1p-53 : 0x1p-52 / least;
+  if (null_space(out.equations.rows).is_zero(3, noise_factor * noise))
+    out.what = FivePoseCase::rank_deficient;
+  else if (!detail::add_action_roots(out))
+    out.what = FivePoseCase::infinite;
 }
 
 }  // namespace
@@ -135,15 +158,20 @@ bool detail::add_sextic_roots(double least_pivot, FivePoseRoots& out) {
   std::array<double, 7> sextic{};
   for (std::size_t i = 0; i <= 3; ++i)
     for (std::size_t k = 0; k <= 3; ++k) sextic[i + k] += b[i].dot(f[k]);
-  const BinaryRoots<6> roots = binary_roots<6>(sextic);  // of (u1, u0)
-  out.merging = roots.unresolved;
+  double size = 0;
+  for (const double coefficient : sextic) size = std::max(size, std::abs(coefficient));
+  const double b_size = largest<3>(b);
+  if (!(size > undetermined * b_size * largest<3>(f))) return false;  // zero: a curve of dyads
+  const BinaryRoots<6> roots = binary_roots<6>(sextic);               // of (u1, u0)
+  out.close = roots.depth >= close_depth;
+  out.merging = roots.depth >= merging_depth;
   for (int i = 0; i < roots.count; ++i) {
     const double u0 = roots.at[static_cast<std::size_t>(i)][1], u1 = roots.at[static_cast<std::size_t>(i)][0];
     const Vector3 axis = value<3>(b, u0, u1);
     const double x = axis.dot(u0 * (pencil.P[0] * axis) + u1 * (pencil.P[1] * axis)) / axis.squaredNorm();
+    if (!(axis.norm() > undetermined * b_size)) return out.count = 0, false;  // one moving axis for many fixed ones
     Vector3 a;
     a[pencil.x] = x, a[(pencil.x + 1) % 3] = u0, a[(pencil.x + 2) % 3] = u1;
-    if (!std::isfinite(x)) return out.count = 0, false;
     add(out, scaled_dyad(a, axis, out.equations.e), 1);
   }
   return true;
@@ -152,20 +180,17 @@ bool detail::add_sextic_roots(double least_pivot, FivePoseRoots& out) {
 FivePoseRoots five_pose_roots(FivePoses poses, FivePosePath path) {
   FivePoseRoots out = prepared(poses);
   if (out.what != FivePoseCase::regular) return out;
-  out.path = path;
   if (path == FivePosePath::sextic)
     detail::add_sextic_roots(0, out);
-  else if (!detail::add_action_roots(out))
-    out.what = FivePoseCase::infinite;
+  else
+    take_action_path(out);
   return out;
 }
 
 FivePoseRoots five_pose_roots(FivePoses poses) {
   FivePoseRoots out = prepared(poses);
   if (out.what != FivePoseCase::regular) return out;
-  if (detail::add_sextic_roots(least_sextic_pivot, out)) return out;
-  out.path = FivePosePath::action;
-  if (!detail::add_action_roots(out)) out.what = FivePoseCase::infinite;
+  if (!detail::add_sextic_roots(least_sextic_pivot, out) || out.close) take_action_path(out);
   return out;
 }
 

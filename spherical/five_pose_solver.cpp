@@ -168,8 +168,12 @@ SphericalReport FivePoseSolver::solve(std::span<const Pose> poses) const {
     for (const RR::Design& dyad : real) found.push_back({dyad.moving, dyad.fixed});
     proved = certified_axes(five, found);
   }
-  if (roots.what != FivePoseCase::regular || proved.degeneracy != Degeneracy::none)
-    return certify ? judged_degenerate(roots.what, proved, five) : degenerate(name_degeneracy(roots.what, poses));
+  FivePoseCase what = roots.what;
+  // The sextic may have six roots where there are infinitely many dyads (one moving axis for a plane of fixed ones).
+  if (what == FivePoseCase::regular && roots.path == FivePosePath::sextic && !detail::action_of(roots.equations))
+    what = FivePoseCase::infinite;
+  if (what != FivePoseCase::regular || proved.degeneracy != Degeneracy::none)
+    return certify ? judged_degenerate(what, proved, five) : degenerate(name_degeneracy(what, poses));
   if (roots.indistinct && !proved.complete) return degenerate(undecided);
   SphericalReport report = proved.complete ? certified_report(proved, real, five) : report_of(real, poses);
   if (roots.indistinct) report.warnings.push_back(indistinct_warning);

@@ -92,6 +92,15 @@ FivePoseTask coaxial(Random& r, int count) {
 FivePoseTask common_axis(Random& r) { return coaxial(r, 5); }
 FivePoseTask four_coaxial(Random& r) { return coaxial(r, 4); }
 
+/// An axis of the body is in one place in three orientations and in another in two: it keeps its angle from a plane of axes.
+FivePoseTask axis_in_two_places(Random& r) {
+  const Axis axis = Space::random_feature(r);
+  FivePoseTask task = generic(r);
+  for (const std::array<std::size_t, 2>& pair : {std::array<std::size_t, 2>{0, 1}, {0, 2}, {3, 4}})
+    task[pair[1]] = Space::pose(product(Space::point<double>(task[pair[0]]), about(axis, r.uniform(-pi, pi))));
+  return task;
+}
+
 }  // namespace
 
 PlantedFourBar planted_four_bar(Random& r) {
@@ -143,7 +152,8 @@ const std::vector<TaskClass>& degenerate_task_classes() {
   static const std::vector<TaskClass> classes{
       {"equal_poses", "two orientations equal: in effect four", equal_poses},
       {"common_axis", "all rotations about one axis", common_axis},
-      {"four_coaxial", "rotations between four of the orientations about one axis", four_coaxial}};
+      {"four_coaxial", "rotations between four of the orientations about one axis", four_coaxial},
+      {"axis_in_two_places", "an axis of the body takes only two places, three and two times", axis_in_two_places}};
   return classes;
 }
 
