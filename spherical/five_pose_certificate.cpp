@@ -100,7 +100,9 @@ std::optional<AxesBox> enclose(const Bilinear<Interval>& n, const Axis& a, const
     return Vector<double, 2>(v[(k + 1) % 3] / v[k], v[(k + 2) % 3] / v[k]);
   };
   const Vector<double, 2> u = beside(a, equations.of_moving), v = beside(b, equations.of_fixed);
-  const auto box = krawczyk<Interval>(equations, Vector<double, 4>(u[0], u[1], v[0], v[1]));
+  const Vector<double, 4> start(u[0], u[1], v[0], v[1]);
+  if (!start.allFinite()) return std::nullopt;
+  const auto box = krawczyk<Interval>(equations, start);
   if (!box || !(box->radius.maxCoeff() <= largest_width)) return std::nullopt;
   const Vector<Interval, 4> x = box->hull<Interval>();
   return box_of(equations.moving(x), equations.fixed(x), Rung::intervals);

@@ -76,8 +76,13 @@ template <class List>
 std::vector<DyadRecord> records_of(const Report<List>& report) {
   std::vector<DyadRecord> out;
   for (const auto& found : report.dyads) {
-    DyadRecord record =
-        List::visit(found.design, []<class D>(const typename D::Design& d) { return D::record(d); });
+    DyadRecord record = List::visit(found.design, [&]<class D>(const typename D::Design& d) {
+      // Where a sign is a matter of taste (axes), coordinates that may be zero do not choose it.
+      if constexpr (requires { D::record(d, 0.0); })
+        return D::record(d, found.certificate.radius);
+      else
+        return D::record(d);
+    });
     record.id = static_cast<int>(out.size()) + 1;
     record.residual = found.residual;
     record.condition = found.condition;
