@@ -1,5 +1,7 @@
 #include "burmester/planar/drawing/construction.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -36,7 +38,7 @@ class Construction {
     finish(sheet);
     for (std::size_t j = 0; moving_ && j < 3; ++j) {
       sheet.add("link", j + 1, {given_, place(j)});
-      sheet.add("constructed", j + 1, {place(j)}, "A" + std::to_string(j + 1));
+      sheet.add("constructed", j + 1, {place(j)}, fmt::format("A{}", j + 1));
     }
     if (moving_) sheet.add("circle", 0, arc(given_, place(0), 2 * std::numbers::pi));
     return frame_up(sheet);
@@ -61,7 +63,7 @@ class Construction {
       if (pole && !pole->far) {
         const Vector2 at(pole->fixed[0], pole->fixed[1]);
         sheet.add("arc", j + 1, arc(at, given_, -pole->angle));
-        sheet.add("pole", j + 1, {at}, "P1" + std::to_string(j + 1));
+        sheet.add("pole", j + 1, {at}, fmt::format("P1{}", j + 1));
       }
       bisector(sheet, 0, given_, image(j));
     }
@@ -109,8 +111,8 @@ class Construction {
 
   Sheet start(const std::string& method, int number) const {
     Sheet sheet;
-    sheet.drawing.name = "construction_" + std::to_string(number) + "_" + method;
-    sheet.drawing.title = "Three poses, fixed pivot " + std::to_string(number) + ": by " + method;
+    sheet.drawing.name = fmt::format("construction_{}_{}", number, method);
+    sheet.drawing.title = fmt::format("Three poses, fixed pivot {}: by {}", number, method);
     for (std::size_t j = 0; j < 3; ++j)
       sheet.add("frame", j + 1,
                 {to_fixed(poses_[j], {arrow_, 0}), to_fixed(poses_[j], {0, 0}), to_fixed(poses_[j], {0, arrow_ / 2})},
@@ -119,7 +121,7 @@ class Construction {
   }
 
   void finish(Sheet& sheet) const {
-    for (std::size_t j = 1; j < 3; ++j) sheet.add("image", j + 1, {image(j)}, "M" + std::to_string(j + 1));
+    for (std::size_t j = 1; j < 3; ++j) sheet.add("image", j + 1, {image(j)}, fmt::format("M{}", j + 1));
     sheet.add("given", 0, {given_}, "M");
   }
 

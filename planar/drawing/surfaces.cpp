@@ -1,5 +1,7 @@
 #include "burmester/planar/drawing/surfaces.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numbers>
 #include <optional>
@@ -215,7 +217,7 @@ class Picture {
     for (int i = 0; i < 3; ++i) {
       Vector3 tip = corner;
       tip[i] += 0.25 * size[i];
-      out.push_back({{"axis", "X" + std::to_string(i + 1), false, 0}, {corner, tip}});
+      out.push_back({{"axis", fmt::format("X{}", i + 1), false, 0}, {corner, tip}});
     }
   }
 
