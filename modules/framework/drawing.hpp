@@ -68,12 +68,14 @@ struct SphereDrawing {
 };
 
 /// A still picture of its own.
-/// Curves, roles: circle_points, centre_points (curves), pole, meeting (points), frame_link, bar, limit (straight links),
-/// and link, coupler, fixed_pivot, moving_pivot, frame as above; the `dyad` of a part is its style, 0 or 1 for the other
-/// of two, of a frame the number of the pose, from 0.
-/// A geometric construction, finished: the points and lines that lead to a pivot. Roles: given, image, pole, constructed
-/// (points), bisector (a straight line through two points), chord, arc, link, circle, frame (x tip, origin, y tip of the
-/// moving frame); the `dyad` of a part is the pose it belongs to, 0 for none.
+///
+/// In `plates`, curves. Roles: circle_points, centre_points (curves), pole, meeting (points), frame_link, bar, limit
+/// (straight links), and link, coupler, fixed_pivot, moving_pivot, frame as above; the `dyad` of a part is its style,
+/// 0 or 1 for the other of two, of a frame the number of the pose, from 0.
+///
+/// In `constructions`, the points and lines that lead to a pivot. Roles: given, image, pole, constructed (points),
+/// bisector (a straight line through two points), chord, arc, link, circle, frame (x tip, origin, y tip of the moving
+/// frame); the `dyad` of a part is the pose it belongs to, 0 for none.
 struct Plate {
   std::string name;  ///< of its file
   std::string title, caption;
