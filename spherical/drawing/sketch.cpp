@@ -1,5 +1,7 @@
 #include "burmester/spherical/drawing/sketch.hpp"
 
+#include <fmt/format.h>
+
 #include <limits>
 #include <numbers>
 #include <string>
@@ -62,7 +64,7 @@ std::vector<SphereStroke> fixed_strokes(const std::array<SketchDyad, 2>& dyads) 
           {.role = "guide", .dyad = d.id, .closed = true, .points = circle_about(d.fixed, std::numbers::pi / 2)});
   for (std::size_t k = 0; k < 2; ++k)
     out.push_back({.role = "fixed_axis",
-                   .label = letter(k) + std::string("0"),
+                   .label = fmt::format("{}0", letter(k)),
                    .dyad = dyads[k].id,
                    .points = {coordinates(dyads[k].fixed)}});
   return out;
