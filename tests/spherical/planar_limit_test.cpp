@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "burmester/spherical/tangent_plane.hpp"
 #include "burmester/spherical/tasks.hpp"
 #include "five_orientations.hpp"
 
@@ -67,13 +68,10 @@ FivePoseTask on_sphere(const PlanarTask& task, double curvature) {
   FivePoseTask out;
   for (std::size_t j = 0; j < 5; ++j) {
     const auto& [x, y, angle] = task[j];
-    const auto shift = Space::point<double>(pose_from_axis_radians({-y, x, 0}, curvature * std::hypot(x, y)));
-    out[j] = Space::pose(Space::product<double>(shift, Space::point<double>(pose_from_axis_radians({0, 0, 1}, angle))));
+    out[j] = wrapped_pose(x, y, angle, curvature);
   }
   return out;
 }
-
-Vector2 in_plane(const Axis& axis, double curvature) { return axis.head<2>() / (axis[2] * curvature); }
 
 /// Largest distance of a planar dyad from the nearest spherical one, in the plane.
 double error(const std::vector<PlanarDyad>& planar, const SphericalReport& report, double curvature) {
@@ -82,8 +80,8 @@ double error(const std::vector<PlanarDyad>& planar, const SphericalReport& repor
     double least = 1e9;
     for (const auto& found : report.dyads) {
       const RR::Design s = support::as_RR(found.design);
-      least = std::min(
-          least, (in_plane(s.moving, curvature) - d.moving).norm() + (in_plane(s.fixed, curvature) - d.fixed).norm());
+      least = std::min(least, (in_tangent_plane(s.moving, curvature) - d.moving).norm() +
+                                  (in_tangent_plane(s.fixed, curvature) - d.fixed).norm());
     }
     worst = std::max(worst, least);
   }
