@@ -1,4 +1,4 @@
-// A planar task of five poses on spheres that touch its plane, larger and larger: its dyads as limits of spherical ones.
+// A planar task of five poses on larger and larger spheres that touch its plane: its dyads as limits of spherical ones.
 //
 // e = L / radius, L the largest distance between two pose origins. All places are in pose 1 and in the fixed frame,
 // those of spherical dyads where their axes meet the tangent plane.

@@ -93,16 +93,16 @@ class Plot {
     return out;
   }
 
-  /// A window for the planar dyads, with room for paths where those stay near.
+  /// A window for the poses, pivots of planar dyads within 20 L, and paths within 3 L.
   Panel plane_panel(std::span<const planar::Pose, 5> poses) const {
     std::vector<Point2> seen;
     for (const planar::Pose& p : poses) seen.push_back(scaled({p.x, p.y}));
     for (const FollowedDyad& d : limit_.dyads)
-      for (const auto pivot : {&DyadPlace::fixed, &DyadPlace::moving}) {
-        seen.push_back(scaled(d.planar.*pivot));
-        for (const Point2& p : path(d, pivot))
-          if (std::hypot(p[0], p[1]) < 3) seen.push_back(p);
-      }
+      for (const auto pivot : {&DyadPlace::fixed, &DyadPlace::moving})
+        for (double room = 20; const Point2& p : path(d, pivot)) {
+          if (std::hypot(p[0], p[1]) < room) seen.push_back(p);
+          room = 3;
+        }
     const std::array<double, 4> w = window_of(seen, 0.08);
     const double half = std::max(w[2] - w[0], w[3] - w[1]) / 2, x = (w[0] + w[2]) / 2, y = (w[1] + w[3]) / 2;
     return {{66, 14}, {350, 350}, {x - half, y - half, x + half, y + half}};
@@ -129,6 +129,7 @@ class Plot {
         const Polyline places = path(d, pivot);
         panel.line(svg_, places, stroke(k, 2));
         mark_end(panel, k, places);
+        if (!panel.holds(places[0])) continue;
         svg_.circle(panel.place(places[0]), 4.5,
                     fmt::format("fill=\"{0}\" stroke=\"{1}\" stroke-width=\"1.8\"",
                                 pivot == &DyadPlace::fixed ? pose_colour(k) : "#fff", pose_colour(k)));
@@ -147,8 +148,9 @@ class Plot {
                   fmt::format("fill=\"{}\"", colour));
   }
   void name(const Panel& panel, std::size_t dyad) {
-    const Point2 a = panel.place(scaled(limit_.dyads[dyad].planar.fixed)),
-                 b = panel.place(scaled(limit_.dyads[dyad].planar.moving));
+    const Point2 fixed = scaled(limit_.dyads[dyad].planar.fixed), moving = scaled(limit_.dyads[dyad].planar.moving);
+    if (!panel.holds(fixed) || !panel.holds(moving)) return;
+    const Point2 a = panel.place(fixed), b = panel.place(moving);
     svg_.text({(a[0] + b[0]) / 2, (a[1] + b[1]) / 2 + 5}, fmt::format("{}", dyad + 1), number_style(dyad));
   }
   static std::string number_style(std::size_t dyad) {

@@ -7,8 +7,9 @@
 
 namespace burmester {
 
-/// Left: the poses, the planar dyads in pose 1, and the paths of the spherical ones' axes in the tangent plane, in units
-/// of L. Right: the distance of each from its planar dyad against e, logarithmic.
+/// Left: the poses, the planar dyads in pose 1, and the paths of the spherical ones' axes in the tangent plane, in
+/// units of L. Right: the distance of each from its planar dyad against e, logarithmic. `task`: the problem's name, may
+/// be empty.
 std::string planar_limit_plot(const PlanarLimit& limit, std::span<const planar::Pose, 5> poses,
                               const std::string& task);
 
