@@ -91,7 +91,7 @@ TEST(FivePoses, BothPathsGiveTheSame) {
   }
 }
 
-// Equations of rank three leave no fourth pivot, and a form that vanishes: nothing is listed, whatever was solved before
+// Equations of rank three leave no fourth pivot: nothing is listed, whatever was solved before.
 TEST(FivePoses, TheSexticPathListsNothingWithoutPivots) {
   Random random("FivePoses.TheSexticPathListsNothingWithoutPivots");
   const FivePoseTask four_half_turns{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 1, 1, 0}, {0, 1, -1, 0}}},
