@@ -91,11 +91,7 @@ PlanarReport solve(const Problem& problem, std::span<const Pose> poses) {
   } else {
     throw NotAvailable(fmt::format("planar synthesis for {} poses without given pivots", poses.size()));
   }
-  if (!problem.near.empty() && (poses.size() != 4 || given))
-    report.warnings.push_back("near: only four poses without given pivots leave a choice; ignored");
-  if (!problem.weights.empty())
-    report.warnings.push_back(given ? "weights: fits with given pivots count all poses alike; ignored"
-                                    : "weights: up to five poses are met exactly; ignored");
+  for (std::string& warning : ignored_requests<Pivots>(problem)) report.warnings.push_back(std::move(warning));
   add_searched(problem, poses, report);
   sort_dyads(report);
   return report;

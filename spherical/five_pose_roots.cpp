@@ -150,7 +150,7 @@ void take_action_path(FivePoseRoots& out) {
 bool detail::add_sextic_roots(double least_pivot, FivePoseRoots& out) {
   const Pencil pencil = best_elimination(out.equations, least_pivot);
   out.pivot = pencil.pivot;
-  if (!(pencil.pivot >= least_pivot)) return false;
+  if (!(pencil.pivot > 0 && pencil.pivot >= least_pivot)) return false;
   const Forms<2> d = pencil.times<1>(pencil.c);
   const Forms<3> f = pencil.times<2>(d);
   Forms<3> b{Vector3::Zero(), Vector3::Zero(), Vector3::Zero(), Vector3::Zero()};

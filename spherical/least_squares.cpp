@@ -125,15 +125,16 @@ double sum_of_squares(const PR::Design& d, std::span<const Pose> poses, std::spa
   return sum;
 }
 
-/// Third singular value of the quaternions below this: all poses on a line of the image space, to within rounding.
-constexpr double same_axis_tolerance = 0x1p-40;
+/// Singular values of the quaternions below this, relative to the largest, are zero but for rounding.
+constexpr double rank_rounding = 0x1p-40;
 
-bool one_axis(std::span<const Pose> poses) {
+/// 1: all are equal, 2: all rotations from one to another have one axis.
+Eigen::Index rank_of(std::span<const Pose> poses) {
   Eigen::MatrixXd q(static_cast<Eigen::Index>(poses.size()), 4);
   for (std::size_t j = 0; j < poses.size(); ++j)
     q.row(static_cast<Eigen::Index>(j)) = Space::point<double>(poses[j]).normalized().transpose();
   const Eigen::VectorXd size = Eigen::JacobiSVD<Eigen::MatrixXd>(q).singularValues();
-  return size[2] <= same_axis_tolerance * size[0];
+  return (size.array() > rank_rounding * size[0]).count();
 }
 
 }  // namespace
@@ -154,20 +155,24 @@ std::optional<Found<PR::Design>> best_slider(std::span<const Pose> poses, std::s
   });
 }
 
-SphericalReport slider_report(std::span<const Pose> poses) {
-  SphericalReport report;
+void add_best_slider(std::span<const Pose> poses, std::span<const double> weights, SphericalReport& report) {
+  const auto is_slider = [](const auto& found) { return std::holds_alternative<PR::Design>(found.design); };
+  if (report.status == Status::degenerate || std::any_of(report.dyads.begin(), report.dyads.end(), is_slider)) return;
+  const auto slider = best_slider(poses, weights);
+  if (!slider) return;
   report.status = Status::approximate;
-  report.message = fmt::format("no slider meets all {} orientations: the best one by least squares", poses.size());
-  report.counts.dimension = 0;
-  if (const auto slider = best_slider(poses)) report.dyads.push_back(found_slider<PR, Dyads>(slider->design, poses));
-  return report;
+  report.message = fmt::format("no slider meets all {} orientations: the best one by least squares; {}", poses.size(),
+                               report.message);
+  report.dyads.push_back(found_slider<PR, Dyads>(slider->design, poses));
 }
 
 SphericalReport LeastSquaresSolver::solve(std::span<const Pose> poses) const {
   SphericalReport report;
-  if (one_axis(poses)) {
+  if (const Eigen::Index rank = rank_of(poses); rank <= 2) {
     report.status = Status::degenerate;
-    report.message = "all rotations have one axis: every moving axis with that one as fixed axis meets them";
+    report.message = rank == 1
+                         ? "all orientations are equal: every dyad meets them"
+                         : "all rotations have one axis: every moving axis with that one as fixed axis meets them";
     return report;
   }
   const auto dyads = best_dyads(poses, weights);

@@ -26,8 +26,9 @@ std::vector<Found<PR::Design>> best_sliders(std::span<const Pose> poses, std::sp
 /// Of these the one whose weighted sum of squares is least; nothing where the fits are not isolated.
 std::optional<Found<PR::Design>> best_slider(std::span<const Pose> poses, std::span<const double> weights = {});
 
-/// The best slider alone.
-SphericalReport slider_report(std::span<const Pose> poses);
+/// Where sliders are asked for and none of the report meets the orientations: adds the best one and says so. The counts
+/// stay, they are those of all dyads.
+void add_best_slider(std::span<const Pose> poses, std::span<const double> weights, SphericalReport& report);
 
 /// Residuals up to this, radians, are rounding of the data.
 inline constexpr double exact_residual = 1e-12;

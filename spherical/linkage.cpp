@@ -20,7 +20,11 @@ std::array<double, 4> excesses(double g, double a, double h, double b) {
   return {g - a + h - b, g - a - h + b, h + b - g - a, 4 * right_angle - g - a - h - b};
 }
 
-bool input_turns(const std::array<double, 4>& t) { return t[0] * t[1] > 0 && t[2] * t[3] > 0; }
+/// Where one of the four is 0 to within the tolerance the input still turns, through a change point.
+bool input_turns(const std::array<double, 4>& t, double tolerance = 0) {
+  const auto alike = [&](double x, double y) { return std::min(x, y) >= -tolerance || std::max(x, y) <= tolerance; };
+  return alike(t[0], t[1]) && alike(t[2], t[3]);
+}
 
 /// The dyad as it is shown.
 struct Shown {
@@ -29,8 +33,7 @@ struct Shown {
   bool slider;
 };
 Shown shown(const AnyDyad& d) {
-  const DyadRecord r =
-      Dyads::visit(d.design, []<class D>(const typename D::Design& design) { return D::record(design); });
+  const DyadRecord r = shown_record<Dyads>(d);
   return {Axis(r.fixed[0], r.fixed[1], r.fixed[2]), Axis(r.moving[0], r.moving[1], r.moving[2]), *r.arc,
           r.type == PR::name};
 }
@@ -58,7 +61,7 @@ LinkageRecord link(const AnyDyad& a, const AnyDyad& b, std::string type) {
   if (second.slider) {
     l.offset = std::abs(right_angle - ground);
     l.motion_class =
-        input_turns(excesses(ground, first.arc, *l.coupler, right_angle)) ? "slider-crank" : "rocker-slider";
+        input_turns(excesses(ground, first.arc, *l.coupler, right_angle), tolerance) ? "slider-crank" : "rocker-slider";
     return l;
   }
   l.ground = ground, l.output = second.arc;

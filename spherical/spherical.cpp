@@ -25,11 +25,12 @@ ModuleInfo describe() {
   info.origin = "built in";
   Dyads::for_each([&]<class D>() { info.dyad_types.push_back(D::name); });
   info.solvers = describe_solvers<FourPoseSolver, FivePoseSolver, LeastSquaresSolver>();
+  info.solvers.insert(info.solvers.begin(),
+                      SolverInfo{"two and three orientations, linear",
+                                 "the family of dyads with its axes of rotation; the dyad, or the best fits to more "
+                                 "orientations, for given fixed and moving axes"});
   info.type_aliases = {{"RP", "PR"}};  // a slider is its own inverse
   info.csv_headers = {{"qw", "qx", "qy", "qz"}};
-  info.solvers = {{"two and three orientations, linear",
-                   "the family of dyads with its axes of rotation; the dyad, or the best fits to more orientations, for "
-                   "given fixed and moving axes"}};
   info.point_size = Space::feature_size;
   return info;
 }
@@ -45,11 +46,9 @@ std::vector<double> weights_of(const Problem& problem) {
   return out;
 }
 
-/// Where only sliders are asked for and none meets the orientations.
-void add_best_slider(std::span<const Pose> poses, SphericalReport& report) {
-  const auto is_slider = [](const auto& found) { return std::holds_alternative<PR::Design>(found.design); };
-  if (report.status == Status::degenerate || std::any_of(report.dyads.begin(), report.dyads.end(), is_slider)) return;
-  report = slider_report(poses);
+bool only_sliders(const Problem& problem) {
+  return !problem.types.empty() && std::all_of(problem.types.begin(), problem.types.end(),
+                                               [](const std::string& type) { return type == PR::name; });
 }
 
 SphericalReport solve(const Problem& problem, std::span<const Pose> poses) {
@@ -57,17 +56,17 @@ SphericalReport solve(const Problem& problem, std::span<const Pose> poses) {
   if (poses.size() < 4 || !problem.fixed.empty() || !problem.moving.empty()) {
     report = solve_linear(problem, poses);
   } else if (poses.size() > 5) {
-    report = LeastSquaresSolver{weights_of(problem)}.solve(poses);
+    const std::vector<double> weights = weights_of(problem);
+    report = LeastSquaresSolver{weights}.solve(poses);
+    if (only_sliders(problem)) add_best_slider(poses, weights, report);
   } else if (poses.size() == 5) {
     report = FivePoseSolver{.certify = problem.certify}.solve(poses);
-    if (problem.types == std::vector<std::string>{PR::name}) add_best_slider(poses, report);
+    if (only_sliders(problem)) add_best_slider(poses, {}, report);
   } else {
     if (!problem.near.empty()) throw NotAvailable("dyads near given axes of the cone of four orientations");
     report = FourPoseSolver().solve(poses);
   }
-  if (!problem.near.empty()) report.warnings.push_back("near: only four poses leave a choice; ignored");
-  if (!problem.weights.empty() && poses.size() <= 5)
-    report.warnings.push_back("weights: up to five poses are met exactly; ignored");
+  for (std::string& warning : ignored_requests<Pivots>(problem)) report.warnings.push_back(std::move(warning));
   return report;
 }
 
@@ -91,7 +90,7 @@ class SphericalModule final : public Module {
   Synthesis synthesize(const Problem& problem) const override {
     const SphericalReport report = solve(problem, poses_of(problem));
     return {report.status,   report.message, report.counts, records_of(report), linkages_of(report.dyads),
-            report.warnings, report.curves, report.family};
+            report.warnings, report.curves,  report.family};
   }
   Drawing draw(const Problem& problem, const Synthesis& answer) const override {
     return draw_synthesis(problem, answer);

@@ -66,11 +66,12 @@ concept PivotGeometry = requires(const typename G::Pose pose, std::span<const ty
                                  const std::vector<Rational> exact_pivot, const Point2<Rational> exact,
                                  const Point2<double> point) {
   typename G::Dyads;
-  // What people call a pivot, pivots, a pole, and the line of partners of a pivot in two poses.
+  // What people call a pivot, pivots, a pole, and the partners of a pivot in two poses: "the bisector", "a line".
   { G::pivot } -> std::convertible_to<std::string_view>;
   { G::pivots } -> std::convertible_to<std::string_view>;
   { G::pole } -> std::convertible_to<std::string_view>;
   { G::bisector } -> std::convertible_to<std::string_view>;
+  { G::line } -> std::convertible_to<std::string_view>;
   { G::data(pose) } -> std::same_as<DataOf<double>>;
   /// Between the two poses: points as seen from the first.
   { G::template correlation<Rational>(data, data) } -> std::same_as<Correlation<Rational>>;
@@ -239,6 +240,20 @@ Report<typename G::Dyads> family_of_dyads(std::span<const typename G::Pose> pose
   return report;
 }
 
+/// What a problem asks for that its other parts leave no room for. G: as for GivenPivots.
+template <class G>
+std::vector<std::string> ignored_requests(const Problem& problem) {
+  std::vector<std::string> warnings;
+  const bool given = !problem.fixed.empty() || !problem.moving.empty();
+  if (!problem.near.empty() && (problem.poses.size() != 4 || given))
+    warnings.push_back(fmt::format("near: only four poses without given {} leave a choice; ignored", G::pivots));
+  if (!problem.weights.empty() && given)
+    warnings.push_back(fmt::format("weights: fits with given {} count all poses alike; ignored", G::pivots));
+  else if (!problem.weights.empty() && problem.poses.size() <= 5)
+    warnings.push_back("weights: up to five poses are met exactly; ignored");
+  return warnings;
+}
+
 /// The dyads with the fixed and moving pivots that a problem gives, any number of poses from two.
 template <class G>
 class GivenPivots {
@@ -295,7 +310,7 @@ class GivenPivots {
     for (std::size_t k = 1; k < poses_.size(); ++k)
       if (const auto line = lines.line(0, k); !detail::may_vanish(line)) {
         report_.family.partners.push_back(G::partners(body, pivot, detail::to_double(line), poses_[0]));
-        what = fmt::format("its partners fill a line");
+        what = fmt::format("its partners fill {}", G::line);
         break;
       }
     undetermined_.push_back(fmt::format("{}: {}, {}", name, reason, what));
@@ -317,10 +332,13 @@ class GivenPivots {
     if (n == 2) {
       report_.status = Status::family;
       report_.counts.dimension = undetermined_.empty() ? 1 : 2;
-      report_.message = fmt::format(
-          "two poses and a given {0}: a one-dimensional family of dyads, the partners of the "
-          "{0} fill a line (partners, samples)",
-          G::pivot);
+      report_.message = fmt::format("two poses and {}: ", given_ == 1 ? "a " + given : given);
+      report_.message += undetermined_.empty()
+                             ? fmt::format(
+                                   "a one-dimensional family of dyads, the partners of a given {} fill {} "
+                                   "(partners, samples)",
+                                   G::pivot, G::line)
+                             : "a two-dimensional family of dyads";
     } else if (n == 3) {
       report_.status = undetermined_.empty() ? Status::exact : Status::degenerate;
       report_.counts.dimension = undetermined_.empty() ? 0 : 1;

@@ -71,18 +71,24 @@ void sort_dyads(Report<List>& report) {
   });
 }
 
+/// The dyad as it is shown. Where a sign is a matter of taste (axes), coordinates that may be zero do not choose it.
+template <class List>
+DyadRecord shown_record(const Found<typename List::Design>& found) {
+  const double zero = found.certificate.certified ? found.certificate.radius : 0;
+  return List::visit(found.design, [&]<class D>(const typename D::Design& d) {
+    if constexpr (requires { D::record(d, zero); })
+      return D::record(d, zero);
+    else
+      return D::record(d);
+  });
+}
+
 /// The dyads as plain records, numbered from 1 in the order of the report.
 template <class List>
 std::vector<DyadRecord> records_of(const Report<List>& report) {
   std::vector<DyadRecord> out;
   for (const auto& found : report.dyads) {
-    DyadRecord record = List::visit(found.design, [&]<class D>(const typename D::Design& d) {
-      // Where a sign is a matter of taste (axes), coordinates that may be zero do not choose it.
-      if constexpr (requires { D::record(d, 0.0); })
-        return D::record(d, found.certificate.radius);
-      else
-        return D::record(d);
-    });
+    DyadRecord record = shown_record<List>(found);
     record.id = static_cast<int>(out.size()) + 1;
     record.residual = found.residual;
     record.condition = found.condition;

@@ -91,6 +91,20 @@ TEST(FivePoses, BothPathsGiveTheSame) {
   }
 }
 
+// Equations of rank three leave no fourth pivot: nothing is listed, whatever was solved before.
+TEST(FivePoses, TheSexticPathListsNothingWithoutPivots) {
+  Random random("FivePoses.TheSexticPathListsNothingWithoutPivots");
+  const FivePoseTask four_half_turns{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 1, 1, 0}, {0, 1, -1, 0}}},
+      four_about_one_axis{{{1, 0, 0, 0}, {1, 0, 0, 1}, {2, 0, 0, 3}, {1, 0, 0, -1}, {1, 2, 3, 4}}};
+  for (const FivePoseTask& task : {four_half_turns, four_about_one_axis})
+    for (int i = 0; i < 20; ++i) {
+      five_pose_roots(find_task_class("generic")->make(random), FivePosePath::sextic);
+      const FivePoseRoots roots = five_pose_roots(task, FivePosePath::sextic);
+      EXPECT_EQ(roots.pivot, 0);
+      EXPECT_EQ(roots.count, 0);
+    }
+}
+
 // Where all four rotations from the first orientation are half turns, the conditions are symmetric in a and b.
 TEST(FivePoses, HalfTurnsGiveDyadsInExchangedPairs) {
   Random random("FivePoses.HalfTurnsGiveDyadsInExchangedPairs");

@@ -190,6 +190,9 @@ TEST(SphericalLeastSquares, DegenerateOrientationsAreNamed) {
   for (int i = 0; i < 7; ++i) one_axis.push_back(about({1, 2, 2}, 0.3 * i));
   EXPECT_EQ(LeastSquaresSolver().solve(one_axis).message,
             "all rotations have one axis: every moving axis with that one as fixed axis meets them");
+  std::vector<Pose> equal(6, one_axis[3]);
+  equal.push_back({-2 * equal[0].w, -2 * equal[0].x, -2 * equal[0].y, -2 * equal[0].z});
+  EXPECT_EQ(LeastSquaresSolver().solve(equal).message, "all orientations are equal: every dyad meets them");
   std::vector<Pose> four = random_poses(random, 4);
   four.push_back(four[0]), four.push_back(four[1]);
   const SphericalReport report = LeastSquaresSolver().solve(four);
@@ -229,8 +232,58 @@ TEST(SphericalModule, AnswersManyOrientationsAndRefusesExactWeights) {
   problem.weights.clear(), problem.poses.resize(5), problem.types = {"PR"};
   const Synthesis sliders = module->synthesize(problem);
   EXPECT_EQ(sliders.status, Status::approximate);
-  ASSERT_EQ(sliders.dyads.size(), 1u);
-  EXPECT_EQ(sliders.dyads[0].type, "PR");
+  EXPECT_EQ(sliders.dyads.back().type, "PR");
+}
+
+PoseData data(const Pose& p) { return {p.w, p.x, p.y, p.z}; }
+
+TEST(SphericalModule, TheBestSliderJoinsWhatIsCountedAndProved) {
+  Random random("SphericalModule.TheBestSliderJoinsWhatIsCountedAndProved");
+  const auto module = make_module();
+  RR::Design dyad = RR::random_design(random);
+  dyad.arc = 1;
+  for (const std::vector<Pose>& poses : {random_poses(random, 5), planted(dyad, random, 6)}) {
+    Problem problem;
+    for (const Pose& p : poses) problem.poses.push_back(data(p));
+    const Synthesis all = module->synthesize(problem);
+    ASSERT_TRUE(all.status == Status::exact || all.status == Status::none) << all.message;
+    for (const std::vector<std::string>& types : {std::vector<std::string>{"PR"}, {"PR", "PR"}}) {  // the second was RP
+      problem.types = types;
+      const Synthesis sliders = module->synthesize(problem);
+      EXPECT_EQ(sliders.status, Status::approximate);
+      EXPECT_EQ(sliders.counts.complex, all.counts.complex);
+      EXPECT_EQ(sliders.counts.real, all.counts.real);
+      EXPECT_EQ(sliders.counts.certified, all.counts.certified);
+      ASSERT_EQ(sliders.dyads.size(), all.dyads.size() + 1) << sliders.message;
+      EXPECT_EQ(sliders.dyads.back().type, "PR");
+      EXPECT_FALSE(sliders.dyads.back().certificate.certified);
+      EXPECT_GT(sliders.dyads.back().residual, exact_residual);
+    }
+    problem.types = {"RR", "PR"};
+    EXPECT_EQ(module->synthesize(problem).status, all.status);
+  }
+}
+
+TEST(SphericalModule, RequestsThatHaveNoEffectAreTold) {
+  Random random("SphericalModule.RequestsThatHaveNoEffectAreTold");
+  const auto module = make_module();
+  const auto warnings = [&](int count, bool given) {
+    Problem problem;
+    for (const Pose& p : random_poses(random, count)) problem.poses.push_back(data(p));
+    if (given) problem.moving = {{0, 0, 1}};
+    problem.weights.assign(problem.poses.size(), 1.0);
+    if (count != 4 || given) problem.near = {{1, 0, 0}};
+    return module->synthesize(problem).warnings;
+  };
+  const std::string near = "near: only four poses without given axes leave a choice; ignored",
+                    alike = "weights: fits with given axes count all poses alike; ignored",
+                    met = "weights: up to five poses are met exactly; ignored";
+  using Told = std::vector<std::string>;
+  EXPECT_EQ(warnings(3, false), (Told{near, met}));
+  EXPECT_EQ(warnings(4, false), (Told{met}));
+  EXPECT_EQ(warnings(4, true), (Told{near, alike}));
+  EXPECT_EQ(warnings(6, false), (Told{near}));
+  EXPECT_EQ(warnings(6, true), (Told{near, alike}));
 }
 
 }  // namespace

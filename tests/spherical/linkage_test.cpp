@@ -94,5 +94,39 @@ TEST(SphericalLinkages, AreAllPairsWithTheArcsOfTheirAxes) {
   }
 }
 
+TEST(SphericalLinkages, ArcsBelongToTheAxesShown) {
+  for (const double z : {1e-17, -1e-17})  // nothing is known of its sign
+    for (const Certificate& proof : {Certificate{true, 1e-15, Rung::intervals}, Certificate{false, HUGE_VAL, {}}}) {
+      Report<Dyads> report;
+      report.dyads.push_back({RR::Design{{0, 0, 1}, {0.6, 0.8, z}, 1.2}, 0, {}, {}, {}, proof});
+      report.dyads.push_back({RR::Design{{1, 0, 0}, {0, 0.6, 0.8}, 0.7}, 0, {}, {}, {}, proof});
+      const std::vector<DyadRecord> shown = records_of(report);
+      const auto between = [](const std::vector<double>& u, const std::vector<double>& v) {
+        return std::acos(u[0] * v[0] + u[1] * v[1] + u[2] * v[2]);
+      };
+      const std::vector<LinkageRecord> linkages = linkages_of(report.dyads);
+      ASSERT_EQ(linkages.size(), 1u);
+      EXPECT_NEAR(*linkages[0].coupler, between(shown[0].moving, shown[1].moving), 1e-15) << z << proof.certified;
+      EXPECT_NEAR(*linkages[0].ground, between(shown[0].fixed, shown[1].fixed), 1e-15) << z << proof.certified;
+      EXPECT_EQ(*linkages[0].input, *shown[0].arc) << z << proof.certified;
+    }
+}
+
+TEST(SphericalLinkages, ASliderCrankThroughAChangePointIsOneInEveryFrame) {
+  Random random("SphericalLinkages.ASliderCrankThroughAChangePointIsOneInEveryFrame");
+  const auto at = [](double angle) { return Axis(std::sin(angle), 0, std::cos(angle)); };
+  // ground 1.2, crank 0.9, coupler a quarter turn less 0.3: g - a = b - h
+  for (const auto& [crank, expected] :
+       {std::pair{0.9, "slider-crank"}, {0.9 - 1e-9, "slider-crank"}, {0.9 + 1e-9, "rocker-slider"}})
+    for (int i = 0; i < 100; ++i) {
+      const auto g = Space::point<double>(Space::random_pose(random)),
+                 h = Space::point<double>(Space::random_pose(random));
+      const std::vector<Found<Dyads::Design>> dyads{
+          {RR::moved({at(0), at(0.2), crank}, g, h), 0, {}, {}, {}, {}},
+          {PR::moved({at(1.2), at(0.2 + pi / 2 - 0.3)}, g, h), 0, {}, {}, {}, {}}};
+      EXPECT_EQ(*linkages_of(dyads)[0].motion_class, expected) << crank << ' ' << i;
+    }
+}
+
 }  // namespace
 }  // namespace burmester::spherical

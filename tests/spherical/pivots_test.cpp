@@ -118,7 +118,9 @@ TEST(GivenAxes, AxesOfRotationAreNamed) {
   for (const auto& report : {solve(poses, {{0, 0, 2}}), solve(poses, {}, {{0, 0, 2}})}) {
     EXPECT_EQ(report.status, Status::degenerate);
     EXPECT_TRUE(report.dyads.empty());
-    EXPECT_NE(report.message.find("it is the axis of rotation of poses 1 and 2"), std::string::npos) << report.message;
+    EXPECT_NE(report.message.find("it is the axis of rotation of poses 1 and 2, its partners fill a great circle"),
+              std::string::npos)
+        << report.message;
     ASSERT_EQ(report.family.partners.size(), 1u);
   }
   for (int i = 0; i < 50; ++i)
@@ -161,6 +163,19 @@ TEST(GivenAxes, TwoOrientationsLeaveAGreatCircle) {
       EXPECT_EQ(sliders, 1);
     }
   }
+}
+
+TEST(GivenAxes, OfTwoOrientationsTheAxisOfRotationGoesWithAll) {
+  const Poses poses{{}, pose_from_axis_degrees({0, 0, 1}, 90)};
+  const auto report = solve(poses, {{0, 0, 2}});
+  EXPECT_EQ(report.status, Status::family);
+  EXPECT_EQ(report.counts.dimension, 2);
+  EXPECT_EQ(report.message,
+            "two poses and a given axis: a two-dimensional family of dyads; fixed[0]: it is the axis of rotation of "
+            "poses 1 and 2, every moving axis is a partner");
+  EXPECT_EQ(solve(poses, {{0, 1, 2}}).message,
+            "two poses and a given axis: a one-dimensional family of dyads, the partners of a given axis fill a great "
+            "circle (partners, samples)");
 }
 
 TEST(GivenAxes, FamiliesAreSampled) {

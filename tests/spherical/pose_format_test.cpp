@@ -87,9 +87,11 @@ TEST(SphericalModule, HasItsFace) {
   EXPECT_THAT(module->info().dyad_types, ElementsAre("RR", "PR"));
   EXPECT_THAT(module->info().csv_headers, ElementsAre(ElementsAre("qw", "qx", "qy", "qz")));
   EXPECT_EQ(module->info().point_size, 3);
-  EXPECT_FALSE(module->info().solvers.empty());
+  ASSERT_EQ(module->info().solvers.size(), 4u);
+  for (const auto& [at, orientations] : {std::pair{0u, "two and three"}, {1u, "four"}, {2u, "five"}, {3u, "six"}})
+    EXPECT_THAT(module->info().solvers[at].name, testing::StartsWith(orientations));
   Problem four;
-  four.poses.assign(4, {1, 0, 0, 0});
+  four.poses.assign(4, {1, 0, 0, 0}), four.near = {{0, 0, 1}};
   EXPECT_THROW(module->synthesize(four), NotAvailable);
   EXPECT_TRUE(module->draw({}, {}).poses.empty());
   EXPECT_EQ(module->task_size({}), 1);

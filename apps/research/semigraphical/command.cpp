@@ -33,6 +33,10 @@ struct Request {
   int cells = 180;
 };
 
+/// Axes nearer than this, radians, are one axis: far above the errors of either method, far below the distance of
+/// dyads that the plots can tell apart.
+constexpr double same_axis = 1e-6;
+
 double axis_distance(const Axis& a, const std::vector<double>& b) {
   const Axis v(b[0], b[1], b[2]);
   return std::atan2(a.cross(v).norm(), std::abs(a.dot(v)));
@@ -40,11 +44,11 @@ double axis_distance(const Axis& a, const std::vector<double>& b) {
 
 int crossings_at(const AxisPlot& plot, const Axis& axis) {
   return static_cast<int>(std::count_if(plot.crossings.begin(), plot.crossings.end(), [&](const auto& c) {
-    return c.accepted() && axis_distance(axis, {c.axis[0], c.axis[1], c.axis[2]}) < 1e-6;
+    return c.accepted() && axis_distance(axis, {c.axis[0], c.axis[1], c.axis[2]}) < same_axis;
   }));
 }
 
-/// A dyad of the semigraphical method and the algebraic one next to it.
+/// A dyad of the semigraphical method and the algebraic one that it is.
 struct Pairing {
   Design dyad;
   int moving_crossings = 0, fixed_crossings = 0;
@@ -61,7 +65,7 @@ std::vector<Pairing> paired(const SemigraphicalAnswer& answer, const Synthesis& 
     Pairing pairing{d, crossings_at(answer.moving, d.moving), crossings_at(answer.fixed, d.fixed), 0, 0};
     for (const DyadRecord& r : algebraic.dyads) {
       const double apart = std::max(axis_distance(d.moving, r.moving), axis_distance(d.fixed, r.fixed));
-      if (pairing.algebraic == 0 || apart < pairing.apart) pairing.algebraic = r.id, pairing.apart = apart;
+      if (apart < (pairing.algebraic ? pairing.apart : same_axis)) pairing.algebraic = r.id, pairing.apart = apart;
     }
     out.push_back(pairing);
   };
