@@ -23,6 +23,7 @@ struct Pivots {
   static constexpr const char* pivot = "axis";
   static constexpr const char* pivots = "axes";
   static constexpr const char* pole = "axis of rotation";
+  static constexpr const char* locus = "great circle";
   static constexpr const char* bisector = "the great circle between its two places";
 
   static DataOf<double> data(const Pose& p) { return {p.w, p.x, p.y, p.z}; }

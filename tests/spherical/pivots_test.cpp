@@ -119,6 +119,7 @@ TEST(GivenAxes, AxesOfRotationAreNamed) {
     EXPECT_EQ(report.status, Status::degenerate);
     EXPECT_TRUE(report.dyads.empty());
     EXPECT_NE(report.message.find("it is the axis of rotation of poses 1 and 2"), std::string::npos) << report.message;
+    EXPECT_NE(report.message.find("its partners fill a great circle"), std::string::npos) << report.message;
     ASSERT_EQ(report.family.partners.size(), 1u);
   }
   for (int i = 0; i < 50; ++i)
@@ -151,6 +152,7 @@ TEST(GivenAxes, TwoOrientationsLeaveAGreatCircle) {
     for (const auto& report : {solve(poses, {}, {shown(given)}), solve(poses, {shown(given)})}) {
       EXPECT_EQ(report.status, Status::family);
       EXPECT_EQ(report.counts.dimension, 1);
+      EXPECT_NE(report.message.find("the partners of the axis fill a great circle"), std::string::npos);
       ASSERT_EQ(report.family.partners.size(), 1u);
       ASSERT_EQ(report.family.samples.size(), 12u);
       int sliders = 0;
@@ -160,6 +162,15 @@ TEST(GivenAxes, TwoOrientationsLeaveAGreatCircle) {
       }
       EXPECT_EQ(sliders, 1);
     }
+  }
+}
+
+TEST(GivenAxes, OneAxisOfRotationLeavesEveryPartner) {
+  const auto turn = [](double degrees) { return pose_from_axis_degrees({0, 0, 1}, degrees); };
+  for (const Poses& poses : {Poses{turn(0), turn(30)}, Poses{turn(0), turn(30), turn(80)}}) {
+    const auto report = solve(poses, {{0, 0, 1}});
+    EXPECT_EQ(report.counts.dimension, 2) << report.message;
+    EXPECT_NE(report.message.find("every moving axis is a partner"), std::string::npos) << report.message;
   }
 }
 
