@@ -28,7 +28,9 @@
 #include "burmester/geometry/range.hpp"
 #include "burmester/geometry/rational_interval.hpp"
 #include "burmester/modules/framework/condition.hpp"
+#include "burmester/modules/framework/local.hpp"
 #include "burmester/modules/framework/problem.hpp"
+#include "burmester/modules/framework/repeated.hpp"
 #include "burmester/modules/framework/report.hpp"
 
 namespace burmester {
@@ -267,6 +269,7 @@ class GivenPivots {
           add(body, *p, fmt::format("{}[{}]", name_of(body), p - pivots.begin()));
     }
     if (poses_.size() <= 3) report_.family.poles = poles_of<G>(poses_);
+    drop_repeated<G>(report_, poses_, G::pivots);
     conclude();
     return report_;
   }
