@@ -12,6 +12,7 @@
 namespace burmester::planar {
 
 struct Pivots {
+  using Space = planar::Space;
   using Pose = planar::Pose;
   using Dyads = planar::Dyads;
   static constexpr const char* pivot = "pivot";

@@ -18,6 +18,7 @@ Space::Point<T> rotation_between(const Space::Point<T>& from, const Space::Point
 }
 
 struct Pivots {
+  using Space = spherical::Space;
   using Pose = spherical::Pose;
   using Dyads = spherical::Dyads;
   static constexpr const char* pivot = "axis";

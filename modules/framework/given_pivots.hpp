@@ -35,6 +35,9 @@
 
 namespace burmester {
 
+/// Of the task size: where rounding is more, residuals do not tell whether poses are met.
+inline constexpr double told_at_most = 1e-7;
+
 /// The body that carries a pivot.
 enum class Body { fixed, moving };
 
@@ -69,6 +72,7 @@ concept PivotGeometry = requires(const typename G::Pose pose, std::span<const ty
                                  const std::vector<Rational> exact_pivot, const Point2<Rational> exact,
                                  const Point2<double> point) {
   typename G::Dyads;
+  typename G::Space;
   // What people call a pivot, pivots, a pole, what partners of a pivot fill, and which one of these in two poses.
   { G::pivot } -> std::convertible_to<std::string_view>;
   { G::pivots } -> std::convertible_to<std::string_view>;
@@ -321,7 +325,10 @@ class GivenPivots {
     auto fits = G::fits(body, pivot, poses_);
     if (fits.empty()) undetermined_.push_back(name + ": fewer than three different places, infinitely many partners");
     const double rounding = G::rounding(pivot, poses_);
-    const auto met = [&](const auto& found) { return found.residual <= rounding; };
+    const bool tells = rounding <= told_at_most * extent<typename G::Space>(poses_);
+    if (!tells)
+      report_.warnings.push_back(name + ": rounding of numbers so large hides whether a dyad meets the poses");
+    const auto met = [&](const auto& found) { return tells && found.residual <= rounding; };
     if (std::any_of(fits.begin(), fits.end(), met))
       std::erase_if(fits, [&](const auto& found) { return !met(found); }), ++met_;
     for (auto& found : fits) report_.dyads.push_back(std::move(found));
@@ -334,8 +341,8 @@ class GivenPivots {
     if (n <= 3) report_.counts.dimension = dimension_;
     if (n == 2) {
       report_.status = Status::family;
-      report_.message =
-          fmt::format("two poses and {}: a {}-dimensional family of dyads", some_given, dimension_ == 1 ? "one" : "two");
+      report_.message = fmt::format("two poses and {}: a {}-dimensional family of dyads", some_given,
+                                    dimension_ == 1 ? "one" : "two");
       if (!report_.family.partners.empty())
         report_.message += fmt::format(", the partners of {} {} fill a {} (partners, samples)",
                                        given_ == 1 ? "the" : undetermined_.empty() ? "each" : "each other", G::pivot,

@@ -338,6 +338,29 @@ TEST(GivenPivots, MorePosesAreFittedOrMet) {
   }
 }
 
+TEST(GivenPivots, PartnersOfEachOtherAreListedOnce) {
+  const Poses circle{pose_from_degrees(1, 0, 5), pose_from_degrees(0, 1, 30), pose_from_degrees(-1, 0, 80),
+                     pose_from_degrees(0, -1, 10), pose_from_degrees(0.6, 0.8, 0)};
+  for (const std::size_t count : {3u, 4u, 5u}) {
+    const Poses poses(circle.begin(), circle.begin() + static_cast<int>(count));
+    const PlanarReport report = solve(poses, {{0, 0}, {3, 4}}, {{0, 0}});
+    EXPECT_EQ(report.dyads.size(), solve(poses, {{0, 0}, {3, 4}}).dyads.size()) << count;
+    EXPECT_TRUE(mentions(report.warnings, "two of the given pivots lead to the same RR dyad: listed once")) << count;
+    EXPECT_EQ(solve(poses, {{0, 0}, {1e-6, 0}}).dyads.size(), solve(poses, {{0, 0}}).dyads.size() +
+                                                                  solve(poses, {{1e-6, 0}}).dyads.size());
+  }
+  EXPECT_EQ(solve(circle, {{0, 0}}, {{0, 0}}).counts.real, 1);
+}
+
+TEST(GivenPivots, RoundingOfAFarPivotProvesNothing) {
+  Random random("GivenPivots.RoundingOfAFarPivotProvesNothing");
+  const Poses poses = random_poses(random, 4);
+  const PlanarReport far = solve(poses, {{1e15, 0}}), near = solve(poses, {{5, 0}});
+  EXPECT_EQ(far.status, Status::approximate) << far.message;
+  EXPECT_TRUE(mentions(far.warnings, "fixed[0]: rounding of numbers so large")) << far.message;
+  EXPECT_TRUE(near.warnings.empty());
+}
+
 TEST(GivenPivots, PlacesThatDoNotTellAreNamed) {
   const Pose a{0, 0, 0, 1}, b{1, 2, 0.6, 0.8};
   const auto report = solve({a, b, a, b}, {{3, 3}});
