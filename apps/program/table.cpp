@@ -172,7 +172,9 @@ std::string family_text(const Problem& problem, const FamilyRecord& family, doub
   constexpr std::size_t most_samples = 12;
   std::string out;
   if (!family.poles.empty()) out += "\nPoles\n" + pole_table(problem, family.poles, task_size);
-  if (!family.partners.empty()) out += "\nPartners fill a line\n" + partners_table(problem, family.partners, task_size);
+  if (!family.partners.empty())
+    out += fmt::format("\nPartners fill a {}\n", family.partners[0].line ? "line" : "great circle") +
+           partners_table(problem, family.partners, task_size);
   if (family.samples.empty()) return out;
   const std::size_t shown = std::min(most_samples, family.samples.size());
   std::vector<DyadRecord> samples;  // some of all
