@@ -9,6 +9,7 @@
 #include "burmester/modules/framework/condition.hpp"
 #include "burmester/planar/classify.hpp"
 #include "burmester/planar/degeneracy.hpp"
+#include "burmester/planar/double_slider.hpp"
 #include "burmester/planar/five_pose_certificate.hpp"
 #include "burmester/planar/five_pose_oracle.hpp"
 #include "burmester/planar/merge_distance.hpp"
@@ -18,8 +19,6 @@ namespace {
 
 /// Of the task size: where a radius is larger the roots and boxes are computed again, sharper.
 constexpr double largest_radius = 1e-9;
-/// The orientation of the double slider is twice an arc tangent, each within a few units in the last place of pi.
-constexpr double rounding_of_angle = 0x1p-47;
 /// Two dyads are looked at for merging below this many times the rounding estimate of the discriminant.
 constexpr double merging_factor = 0x1p16;
 

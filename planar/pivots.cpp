@@ -88,7 +88,7 @@ FoundDyad judged(const EnclosedDyad& dyad, Body given, const Vector2& pivot, boo
                  bool certify) {
   const double size = planar::task_size(poses);
   const Slider slider = slider_of(given, pivot, poses);
-  const bool wide = far || !(dyad.shown.length <= size);
+  const bool wide = poses.size() > 2 && !(dyad.shown.length <= size);  // two places lie on any line
   FoundDyad found;
   if (far || !std::isfinite(dyad.shown.length) || (wide && slider.departure <= slider_departure * size)) {
     found.design = planar::design_of(given, pivot, slider);

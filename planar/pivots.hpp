@@ -12,12 +12,13 @@
 namespace burmester::planar {
 
 struct Pivots {
+  using Space = planar::Space;
   using Pose = planar::Pose;
   using Dyads = planar::Dyads;
   static constexpr const char* pivot = "pivot";
   static constexpr const char* pivots = "pivots";
   static constexpr const char* pole = "pole";
-  static constexpr const char* line = "a line";
+  static constexpr const char* locus = "line";
   static constexpr const char* bisector = "the perpendicular bisector of its two places";
 
   static DataOf<double> data(const Pose& p) { return {p.x, p.y, p.X3, p.X4}; }

@@ -7,8 +7,10 @@
 #include <numbers>
 
 #include "burmester/modules/framework/condition.hpp"
+#include "burmester/modules/framework/repeated.hpp"
 #include "burmester/modules/framework/search.hpp"
 #include "burmester/planar/curve_linkages.hpp"
+#include "burmester/planar/double_slider.hpp"
 #include "burmester/planar/drawing.hpp"
 #include "burmester/planar/five_pose_solver.hpp"
 #include "burmester/planar/four_pose_curves.hpp"
@@ -86,11 +88,17 @@ PlanarReport solve(const Problem& problem, std::span<const Pose> poses) {
     report = FourPoseSolver().solve(poses);
     for (auto& found : dyads_near(std::span(poses).first<4>(), report.curves, problem.near, problem.certify))
       report.dyads.push_back(std::move(found));
+    drop_repeated<Pivots>(report, poses, "points");
   } else if (poses.size() < 4) {
     report = FamilySolver{.units = problem.units}.solve(poses);
   } else {
     throw NotAvailable(fmt::format("planar synthesis for {} poses without given pivots", poses.size()));
   }
+  if (!given && poses.size() < 5)
+    if (const auto pp = double_slider(poses, problem.certify)) {
+      report.dyads.push_back(*pp);
+      report.message += "; all orientations are equal: a PP dyad";
+    }
   for (std::string& warning : ignored_requests<Pivots>(problem)) report.warnings.push_back(std::move(warning));
   add_searched(problem, poses, report);
   sort_dyads(report);

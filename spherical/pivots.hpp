@@ -18,12 +18,13 @@ Space::Point<T> rotation_between(const Space::Point<T>& from, const Space::Point
 }
 
 struct Pivots {
+  using Space = spherical::Space;
   using Pose = spherical::Pose;
   using Dyads = spherical::Dyads;
   static constexpr const char* pivot = "axis";
   static constexpr const char* pivots = "axes";
   static constexpr const char* pole = "axis of rotation";
-  static constexpr const char* line = "a great circle";
+  static constexpr const char* locus = "great circle";
   static constexpr const char* bisector = "the great circle between its two places";
 
   static DataOf<double> data(const Pose& p) { return {p.w, p.x, p.y, p.z}; }

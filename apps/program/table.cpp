@@ -173,7 +173,7 @@ std::string family_text(const Problem& problem, const FamilyRecord& family, doub
   std::string out;
   if (!family.poles.empty()) out += "\nPoles\n" + pole_table(problem, family.poles, task_size);
   if (!family.partners.empty())
-    out += fmt::format("\nPartners fill {}\n", family.partners[0].line ? "a line" : "a great circle") +
+    out += fmt::format("\nPartners fill a {}\n", family.partners[0].line ? "line" : "great circle") +
            partners_table(problem, family.partners, task_size);
   if (family.samples.empty()) return out;
   const std::size_t shown = std::min(most_samples, family.samples.size());

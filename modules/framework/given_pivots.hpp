@@ -9,8 +9,9 @@
 //                   S. Bai), in the plane the circumcentre of three places (MECH 576, section 5.1),
 //     more          in general none: the best fit over all circles and lines is listed.
 // The pivot that two poses bring to one place is their pole, and its line is not determined: infinitely many partners.
-// Three poses are solved in rationals, for the data as they stand. Whether the data determine the partner at all is
-// asked of data known to within a rounding: where the box of the partner then holds no direction, the reason is named.
+// Everything is solved in rationals, for the data as they stand, and so is the question whether they determine the
+// partner. It is asked again of data known to within a rounding: where the box of the partner then holds no direction,
+// a warning names the reason.
 //
 // G, the geometry's part (planar/pivots.hpp, spherical/pivots.hpp): see PivotGeometry below.
 #pragma once
@@ -27,10 +28,15 @@
 #include "burmester/geometry/range.hpp"
 #include "burmester/geometry/rational_interval.hpp"
 #include "burmester/modules/framework/condition.hpp"
+#include "burmester/modules/framework/local.hpp"
 #include "burmester/modules/framework/problem.hpp"
+#include "burmester/modules/framework/repeated.hpp"
 #include "burmester/modules/framework/report.hpp"
 
 namespace burmester {
+
+/// Of the task size: where rounding is more, residuals do not tell whether poses are met.
+inline constexpr double told_at_most = 1e-7;
 
 /// The body that carries a pivot.
 enum class Body { fixed, moving };
@@ -66,12 +72,13 @@ concept PivotGeometry = requires(const typename G::Pose pose, std::span<const ty
                                  const std::vector<Rational> exact_pivot, const Point2<Rational> exact,
                                  const Point2<double> point) {
   typename G::Dyads;
-  // What people call a pivot, pivots, a pole, and the partners of a pivot in two poses: "the bisector", "a line".
+  typename G::Space;
+  // What people call a pivot, pivots, a pole, what partners of a pivot fill, and which one of these in two poses.
   { G::pivot } -> std::convertible_to<std::string_view>;
   { G::pivots } -> std::convertible_to<std::string_view>;
   { G::pole } -> std::convertible_to<std::string_view>;
+  { G::locus } -> std::convertible_to<std::string_view>;
   { G::bisector } -> std::convertible_to<std::string_view>;
-  { G::line } -> std::convertible_to<std::string_view>;
   { G::data(pose) } -> std::same_as<DataOf<double>>;
   /// Between the two poses: points as seen from the first.
   { G::template correlation<Rational>(data, data) } -> std::same_as<Correlation<Rational>>;
@@ -113,10 +120,13 @@ inline RationalInterval number(const RationalInterval*, double x) {
   return x < 0 ? RationalInterval(at + off, at - off) : RationalInterval(at - off, at + off);
 }
 
+inline bool may_be_zero(const Rational& x) { return x == 0; }
+inline bool may_be_zero(const RationalInterval& x) { return contains_zero(x); }
+
 template <class M>
 bool may_vanish(const M& m) {
   for (Eigen::Index i = 0; i < m.size(); ++i)
-    if (!contains_zero(m.reshaped()[i])) return false;
+    if (!may_be_zero(m.reshaped()[i])) return false;
   return true;
 }
 
@@ -164,12 +174,16 @@ class Partners {
   std::vector<T> pivot_;
 };
 
-/// Why two or three poses do not determine the line (the point) of partners; nothing where they do.
-template <class G>
+/// Why two or three poses do not determine the line (the point) of partners; nothing where they do. T: Rational for the
+/// data as they stand, RationalInterval for data known to a rounding.
+template <class G, class T>
 std::optional<std::string> undetermined(Body body, const std::vector<double>& pivot,
                                         std::span<const typename G::Pose> poses) {
-  const Partners<G, RationalInterval> partners(body, pivot, poses);
-  if (!detail::may_vanish(poses.size() == 2 ? partners.line(0, 1) : partners.partner())) return std::nullopt;
+  const Partners<G, T> partners(body, pivot, poses);
+  const bool three = poses.size() == 3;
+  if (!detail::may_vanish(three ? partners.partner() : partners.line(0, 1))) return std::nullopt;
+  if (three && detail::may_vanish(partners.line(0, 1)) && detail::may_vanish(partners.line(0, 2)))
+    return "it is at one place in all poses";
   for (const auto& [from, to] : {std::pair{0, 1}, {0, 2}, {1, 2}}) {
     if (to >= static_cast<int>(poses.size())) continue;
     const auto i = static_cast<std::size_t>(from), k = static_cast<std::size_t>(to);
@@ -191,7 +205,7 @@ std::vector<DyadRecord> samples_of_family(std::span<const typename G::Pose> pose
     out.back().id = 0;
   };
   for (const std::vector<double>& fixed : G::grid(poses)) {
-    if (undetermined<G>(Body::fixed, fixed, poses)) continue;
+    if (undetermined<G, RationalInterval>(Body::fixed, fixed, poses)) continue;
     const Partners<G, Rational> partners(Body::fixed, fixed, poses);
     if (poses.size() == 3)
       add(fixed, partners.partner());
@@ -273,6 +287,7 @@ class GivenPivots {
           add(body, *p, fmt::format("{}[{}]", name_of(body), p - pivots.begin()));
     }
     if (poses_.size() <= 3) report_.family.poles = poles_of<G>(poses_);
+    drop_repeated<G>(report_, poses_, G::pivots);
     conclude();
     return report_;
   }
@@ -282,8 +297,12 @@ class GivenPivots {
     ++given_;
     if (const char* expected = G::complaint(pivot)) throw InputError(fmt::format("{}: expected {}", name, expected));
     if (poses_.size() > 3) return add_fits(body, pivot, name);
-    if (const auto reason = undetermined<G>(body, pivot, poses_)) return add_undetermined(body, pivot, name, *reason);
     const Partners<G, Rational> partners(body, pivot, poses_);
+    if (const auto reason = undetermined<G, Rational>(body, pivot, poses_))
+      return add_undetermined(body, pivot, partners, name + ": " + *reason);
+    if (const auto reason = undetermined<G, RationalInterval>(body, pivot, poses_))
+      report_.warnings.push_back(
+          fmt::format("{}: within rounding {}; the answer is that of the numbers as they stand", name, *reason));
     if (poses_.size() == 3)
       report_.dyads.push_back(G::dyad(body, pivot, partners.partner(), poses_, problem_.certify));
     else
@@ -291,6 +310,7 @@ class GivenPivots {
   }
 
   void add_line(Body body, const std::vector<double>& pivot, const Partners<G, Rational>& partners) {
+    dimension_ = std::max(dimension_, 1);
     const Point2<double> line = detail::to_double(partners.line(0, 1)), seen = detail::to_double(partners.seen(0));
     report_.family.partners.push_back(G::partners(body, pivot, line, poses_[0]));
     Report<Dyads> samples;
@@ -303,24 +323,26 @@ class GivenPivots {
   }
 
   /// One of the two lines may still be known: then it is the line of partners.
-  void add_undetermined(Body body, const std::vector<double>& pivot, const std::string& name,
+  void add_undetermined(Body body, const std::vector<double>& pivot, const Partners<G, Rational>& partners,
                         const std::string& reason) {
-    std::string what = fmt::format("every {} {} is a partner", name_of(other(body)), G::pivot);
-    const Partners<G, RationalInterval> lines(body, pivot, poses_);
     for (std::size_t k = 1; k < poses_.size(); ++k)
-      if (const auto line = lines.line(0, k); !detail::may_vanish(line)) {
+      if (const auto line = partners.line(0, k); !detail::may_vanish(line)) {
         report_.family.partners.push_back(G::partners(body, pivot, detail::to_double(line), poses_[0]));
-        what = fmt::format("its partners fill {}", G::line);
-        break;
+        dimension_ = std::max(dimension_, 1);
+        return undetermined_.push_back(fmt::format("{}, its partners fill a {}", reason, G::locus));
       }
-    undetermined_.push_back(fmt::format("{}: {}, {}", name, reason, what));
+    dimension_ = 2;
+    undetermined_.push_back(fmt::format("{}, every {} {} is a partner", reason, name_of(other(body)), G::pivot));
   }
 
   void add_fits(Body body, const std::vector<double>& pivot, const std::string& name) {
     auto fits = G::fits(body, pivot, poses_);
     if (fits.empty()) undetermined_.push_back(name + ": fewer than three different places, infinitely many partners");
     const double rounding = G::rounding(pivot, poses_);
-    const auto met = [&](const auto& found) { return found.residual <= rounding; };
+    const bool tells = rounding <= told_at_most * extent<typename G::Space>(poses_);
+    if (!tells)
+      report_.warnings.push_back(name + ": rounding of numbers so large hides whether a dyad meets the poses");
+    const auto met = [&](const auto& found) { return tells && found.residual <= rounding; };
     if (std::any_of(fits.begin(), fits.end(), met))
       std::erase_if(fits, [&](const auto& found) { return !met(found); }), ++met_;
     for (auto& found : fits) report_.dyads.push_back(std::move(found));
@@ -329,19 +351,18 @@ class GivenPivots {
   void conclude() {
     const std::size_t n = poses_.size(), count = report_.dyads.size();
     const std::string given = fmt::format("given {}", given_ == 1 ? G::pivot : G::pivots);
+    const std::string some_given = fmt::format("{}{}", given_ == 1 ? "a " : "", given);
+    if (n <= 3) report_.counts.dimension = dimension_;
     if (n == 2) {
       report_.status = Status::family;
-      report_.counts.dimension = undetermined_.empty() ? 1 : 2;
-      report_.message = fmt::format("two poses and {}: ", given_ == 1 ? "a " + given : given);
-      report_.message += undetermined_.empty()
-                             ? fmt::format(
-                                   "a one-dimensional family of dyads, the partners of a given {} fill {} "
-                                   "(partners, samples)",
-                                   G::pivot, G::line)
-                             : "a two-dimensional family of dyads";
+      report_.message = fmt::format("two poses and {}: a {}-dimensional family of dyads", some_given,
+                                    dimension_ == 1 ? "one" : "two");
+      if (!report_.family.partners.empty())
+        report_.message += fmt::format(", the partners of {} {} fill a {} (partners, samples)",
+                                       given_ == 1 ? "the" : undetermined_.empty() ? "each" : "each other", G::pivot,
+                                       G::locus);
     } else if (n == 3) {
       report_.status = undetermined_.empty() ? Status::exact : Status::degenerate;
-      report_.counts.dimension = undetermined_.empty() ? 0 : 1;
       report_.message = fmt::format("{} dyad{} for the {}, by linear equations", count, count == 1 ? "" : "s", given);
       if (undetermined_.empty()) report_.counts.complex = static_cast<int>(count);
       if (undetermined_.empty()) report_.counts.real = static_cast<int>(count);
@@ -355,7 +376,7 @@ class GivenPivots {
       if (undetermined_.empty()) report_.counts.dimension = 0;
       if (exact) report_.counts.real = static_cast<int>(count);
       report_.message = fmt::format(
-          "{} poses and {}: {}", n, given_ == 1 ? fmt::format("a {}", given) : given,
+          "{} poses and {}: {}", n, some_given,
           exact ? "met but for rounding"
                 : "more conditions than unknowns; the best fits over circles and lines, with their residuals");
     }
@@ -367,6 +388,7 @@ class GivenPivots {
   Report<Dyads> report_;
   std::vector<std::string> undetermined_;
   std::size_t given_ = 0, met_ = 0;
+  int dimension_ = 0;  // of the dyads of two or three poses
 };
 
 }  // namespace burmester

@@ -156,9 +156,10 @@ json partners_of(const PartnersRecord& partners, const Units& units) {
 }
 
 /// Keys of their own, where there is something to tell.
-void put_family(json& out, const FamilyRecord& family, const Units& units) {
+void put_family(json& out, const FamilyRecord& family, const Units& units, bool samples) {
   for (const PoleRecord& pole : family.poles) out["poles"].push_back(pole_of(pole, units));
   for (const PartnersRecord& partners : family.partners) out["partners"].push_back(partners_of(partners, units));
+  if (!samples) return;
   for (const DyadRecord& dyad : family.samples) out["samples"].push_back(dyad_of(dyad, units, false));
 }
 
@@ -224,7 +225,7 @@ json result_document(const Module& module, const Problem& problem, const Synthes
   out["dyads"] = json::array();
   for (const DyadRecord& dyad : answer.dyads) out["dyads"].push_back(dyad_of(dyad, units));
   if (options.curves) out["curves"] = curves_of(answer.curves);
-  if (options.curves) put_family(out, answer.family, units);
+  put_family(out, answer.family, units, options.curves);
   out["linkages"] = json::array();
   for (const LinkageRecord& linkage : answer.linkages)
     out["linkages"].push_back(linkage_of(linkage, units, arcs));

@@ -16,7 +16,7 @@ namespace burmester {
 Synthesis listed(Synthesis answer, const std::vector<std::string>& types);
 
 struct ResultOptions {
-  bool curves = true;  ///< batch lines go without
+  bool curves = true;  ///< and the samples of families: batch lines go without
 };
 
 /// The whole document. Angles are in the problem's unit; the warnings are the problem's and the answer's.

@@ -78,12 +78,18 @@ TEST(Construction, PolesLeadToTheSamePivot) {
 
 TEST(Construction, ParallelPosesAndSlidersAreDrawnWithoutPolesOrPivots) {
   const std::vector<Pose> shifted{{0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}};
-  for (const auto& drawing : three_pose_constructions(shifted, dyad_of(shifted, {2, 2}), 1))
+  const auto without_poles = three_pose_constructions(shifted, dyad_of(shifted, {2, 2}), 1);
+  ASSERT_FALSE(without_poles.empty());
+  for (const auto& drawing : without_poles) {
+    EXPECT_FALSE(lines_of(drawing, "constructed").empty());
     EXPECT_TRUE(lines_of(drawing, "pole").empty());
+  }
   const std::vector<Pose> straight{{0, 0, 0, 1}, {1, 0, 0, 1}, {3, 0, 0, 1}};
   const auto slider = dyad_of(straight, {2, 2});
   ASSERT_TRUE(std::holds_alternative<RP::Design>(slider));
-  for (const auto& drawing : three_pose_constructions(straight, slider, 1)) {
+  const auto without_pivots = three_pose_constructions(straight, slider, 1);
+  ASSERT_FALSE(without_pivots.empty());
+  for (const auto& drawing : without_pivots) {
     EXPECT_TRUE(lines_of(drawing, "constructed").empty());
     EXPECT_FALSE(lines_of(drawing, "bisector").empty());
     EXPECT_NE(drawing.caption.find("at infinity"), std::string::npos);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -193,16 +194,63 @@ TEST(GivenPivots, PolesAreNamed) {
   EXPECT_NE(equal.message.find("poses 1 and 2 are equal"), std::string::npos) << equal.message;
 }
 
-TEST(GivenPivots, APoleComputedInDoublesIsNamedToo) {
-  Random random("GivenPivots.APoleComputedInDoublesIsNamedToo");
+bool mentions(const std::vector<std::string>& warnings, const std::string& words) {
+  return std::any_of(warnings.begin(), warnings.end(),
+                     [&](const std::string& w) { return w.find(words) != std::string::npos; });
+}
+
+TEST(GivenPivots, APoleComputedInDoublesIsNamedInAWarning) {
+  Random random("GivenPivots.APoleComputedInDoublesIsNamedInAWarning");
   int named = 0;
   for (int i = 0; i < 200; ++i) {
     const Poses poses = random_poses(random, 3);
     const PoleRecord pole = poles_of<Pivots>(poses)[0];
-    named += solve(poses, {pole.fixed}).status == Status::degenerate;
-    EXPECT_EQ(solve(poses, {point(vec(pole.fixed) + Vector2(1e-6, 0))}).status, Status::exact);
+    const PlanarReport there = solve(poses, {pole.fixed}),
+                       beside = solve(poses, {point(vec(pole.fixed) + Vector2(1e-6, 0))});
+    named += mentions(there.warnings, "fixed[0]: within rounding it is the pole of poses 1 and 2");
+    EXPECT_EQ(beside.status, Status::exact);
+    EXPECT_TRUE(beside.warnings.empty());
   }
   EXPECT_GT(named, 150);  // rounding of the pole, more than once, may exceed one rounding of the data
+}
+
+TEST(GivenPivots, WhatOnlyRoundingCannotTellApartHasItsExactAnswer) {
+  const double h = unit_roundoff;
+  for (const double step : {8 * h, 2 * h}) {  // three places of the pivot, a right angle between the steps
+    const Pose a = pose_from_degrees(1, 1, 10), b = pose_from_degrees(1 + step, 1, 10),
+               c = pose_from_degrees(1, 1 + step, 10);
+    const PlanarReport report = solve({a, b, c}, {}, {{3, 4}});
+    EXPECT_EQ(report.status, Status::exact) << report.message;
+    EXPECT_EQ(report.counts.dimension, 0);
+    EXPECT_TRUE(mentions(report.warnings, "moving[0]: within rounding "));
+    const RR::Design d = only_RR(report);
+    EXPECT_NEAR(d.length, step / std::sqrt(2), 1e-3 * step);
+    const PlanarReport two = solve({a, b}, {}, {{3, 4}});
+    EXPECT_EQ(two.counts.dimension, 1) << two.message;
+    EXPECT_EQ(two.family.partners.size(), 1u);
+    EXPECT_TRUE(mentions(two.warnings, "moving[0]: within rounding "));
+  }
+}
+
+TEST(GivenPivots, TheDimensionIsThatOfThePartners) {
+  const auto turn = [](double degrees) { return pose_from_degrees(0, 0, degrees); };
+  const auto expect = [](const PlanarReport& report, int dimension, const std::string& words) {
+    EXPECT_EQ(report.counts.dimension, dimension) << report.message;
+    EXPECT_NE(report.message.find(words), std::string::npos) << report.message;
+  };
+  const Poses turns{turn(0), turn(30), turn(80)}, two{turn(0), turn(30)};
+  expect(solve(turns, {{0, 0}}), 2, "fixed[0]: it is at one place in all poses, every moving pivot is a partner");
+  expect(solve(turns, {}, {{0, 0}}), 2, "moving[0]: it is at one place in all poses, every fixed pivot is a partner");
+  expect(solve({turn(0), turn(30), pose_from_degrees(3, 1, 80)}, {{0, 0}}), 1, "its partners fill a line");
+  const PlanarReport pole = solve(two, {{0, 0}});
+  expect(pole, 2, "two poses and a given pivot: a two-dimensional family of dyads; fixed[0]: it is the pole");
+  EXPECT_EQ(pole.message.find("line"), std::string::npos) << pole.message;
+  expect(solve(two, {{1, 0}}), 1, "a one-dimensional family of dyads, the partners of the pivot fill a line");
+  expect(solve(two, {{1, 0}, {2, 0}}), 1, "two poses and given pivots: a one-dimensional family of dyads, the partners "
+                                          "of each pivot fill a line");
+  expect(solve(two, {{0, 0}, {1, 0}}), 2, "a two-dimensional family of dyads, the partners of each other pivot fill a "
+                                          "line (partners, samples); fixed[0]: it is the pole of poses 1 and 2, every "
+                                          "moving pivot is a partner");
 }
 
 TEST(GivenPivots, OtherPivotsAreListedBesideAPole) {
@@ -227,8 +275,11 @@ TEST(GivenPivots, TwoPosesLeaveALine) {
     EXPECT_NEAR(direction.dot(a - b), 0, 1e-12);
     EXPECT_NEAR(off[0] * direction[1] - off[1] * direction[0], 0, 1e-12 * (1 + off.norm()));
     ASSERT_EQ(report.family.samples.size(), 12u);
-    EXPECT_EQ(report.family.samples.back().type, "PR");
-    for (const DyadRecord& d : report.family.samples) EXPECT_LT(d.residual, 1e-12);
+    for (const DyadRecord& d : report.family.samples) {
+      EXPECT_EQ(d.type, &d == &report.family.samples.back() ? "PR" : "RR") << i;  // the point at infinity
+      EXPECT_FALSE(d.slider) << i;  // two places lie on a line: no RR is near a slider for that
+      EXPECT_LT(d.residual, 1e-12);
+    }
   }
 }
 
@@ -285,6 +336,29 @@ TEST(GivenPivots, MorePosesAreFittedOrMet) {
       EXPECT_NEAR(only_RR(met).length, 0.7, 1e-10) << i;
     }
   }
+}
+
+TEST(GivenPivots, PartnersOfEachOtherAreListedOnce) {
+  const Poses circle{pose_from_degrees(1, 0, 5), pose_from_degrees(0, 1, 30), pose_from_degrees(-1, 0, 80),
+                     pose_from_degrees(0, -1, 10), pose_from_degrees(0.6, 0.8, 0)};
+  for (const std::size_t count : {3u, 4u, 5u}) {
+    const Poses poses(circle.begin(), circle.begin() + static_cast<int>(count));
+    const PlanarReport report = solve(poses, {{0, 0}, {3, 4}}, {{0, 0}});
+    EXPECT_EQ(report.dyads.size(), solve(poses, {{0, 0}, {3, 4}}).dyads.size()) << count;
+    EXPECT_TRUE(mentions(report.warnings, "two of the given pivots lead to the same RR dyad: listed once")) << count;
+    EXPECT_EQ(solve(poses, {{0, 0}, {1e-6, 0}}).dyads.size(), solve(poses, {{0, 0}}).dyads.size() +
+                                                                  solve(poses, {{1e-6, 0}}).dyads.size());
+  }
+  EXPECT_EQ(solve(circle, {{0, 0}}, {{0, 0}}).counts.real, 1);
+}
+
+TEST(GivenPivots, RoundingOfAFarPivotProvesNothing) {
+  Random random("GivenPivots.RoundingOfAFarPivotProvesNothing");
+  const Poses poses = random_poses(random, 4);
+  const PlanarReport far = solve(poses, {{1e15, 0}}), near = solve(poses, {{5, 0}});
+  EXPECT_EQ(far.status, Status::approximate) << far.message;
+  EXPECT_TRUE(mentions(far.warnings, "fixed[0]: rounding of numbers so large")) << far.message;
+  EXPECT_TRUE(near.warnings.empty());
 }
 
 TEST(GivenPivots, PlacesThatDoNotTellAreNamed) {

@@ -46,9 +46,34 @@ class Pivots(ProgramTest):
             for got, wanted in zip(place(pose, pole["moving"]), pole["fixed"]):
                 self.assertAlmostEqual(got, wanted, delta=1e-12)
         self.assertGreater(len(document["samples"]), 50)
+        self.assertEqual([d["type"] for d in document["dyads"]], [])
         shifted = self.answer(problem([[0, 0, 10], [3, 0, 10]]))
         self.assertIn("a translation, its pole at infinity in the direction of 90 deg", shifted["message"])
         self.assertEqual(shifted["poles"][0]["line"], {"point": [1.5, 0], "angle": 90})
+
+    def test_parallel_poses_have_a_double_slider(self):
+        parallel = [[0, 0, 10], [1, 0, 10], [0, 2, 10], [3, 3, 10]]
+        for count in (2, 3, 4):
+            for types in ({}, {"types": ["PP"]}):
+                document = self.answer(problem(parallel[:count], **types))
+                double_sliders = [d for d in document["dyads"] if d["type"] == "PP"]
+                self.assertEqual([round(d["angle"], 12) for d in double_sliders], [10])
+                self.assertTrue(double_sliders[0]["certificate"]["certified"])
+                self.assertLess(double_sliders[0]["residual"], 1e-15)
+                self.assertIn("a PP dyad", document["message"])
+            turned = self.answer(problem(parallel[:count - 1] + [[5, 1, 10.000001]]))
+            self.assertNotIn("PP", [d["type"] for d in turned["dyads"]])
+
+    def test_one_dyad_near_two_points(self):
+        document = self.answer(problem(POSES[:4], near=[[1, 1], [1, 1], [4, -2]]))
+        self.assertEqual(sum(d["type"] == "RR" for d in document["dyads"]), 2)
+        self.assertIn("two of the given points lead to the same RR dyad: listed once", document["warnings"])
+
+    def test_batch_lines_keep_poles_and_partners(self):
+        line = problem(POSES[:2], moving=[[1, 1]])
+        document, full = strict_json(self.good("batch", text=line + "\n").stdout), self.answer(line)
+        self.assertNotIn("samples", document)
+        self.assertEqual((document["poles"], document["partners"]), (full["poles"], full["partners"]))
 
     def test_two_poses_and_a_pivot(self):
         document = self.answer(problem(POSES[:2], moving=[[1, 1]]))
@@ -141,6 +166,9 @@ class Pivots(ProgramTest):
         line = self.answer(problem(two, "spherical", fixed=[[1, 2, 3]]))
         self.shape(line, "family", 1, 0)
         self.assertAlmostEqual(math.hypot(*line["partners"][0]["normal"]), 1, delta=1e-15)
+        text = self.good("synthesize", "-", text=problem(two, "spherical", fixed=[[1, 2, 3]])).stdout.decode()
+        self.assertIn("\nPartners fill a great circle\n", text)
+        self.assertNotIn("fill a line", text)
         self.shape(self.answer(problem(three, "spherical")), "family", 2, 0)
         document = self.answer(problem(three, "spherical", fixed=[[1, 2, 3]], moving=[[0, 1, 0]]))
         self.shape(document, "exact", 0, 2)
