@@ -40,7 +40,7 @@ Cubic<T> points_with_partner(const std::array<Correlation<T>, 3>& n) {
 /// The point on three concurrent lines, from the two that determine it best; zero where all three are one line or zero.
 template <class T>
 Point2<T> concurrence(const std::array<LinearForm<T>, 3>& line) {
-  Point2<T> best;
+  Point2<T> best = Point2<T>::Zero();
   double largest = -1;
   for (int i = 0; i < 3; ++i) {
     const LinearForm<T>&a = line[i], &b = line[(i + 1) % 3];

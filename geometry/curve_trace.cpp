@@ -195,7 +195,8 @@ class Tracer {
   struct Chord {
     double error = 0;
     int parts = 2;
-    std::array<double, 2> width{};  ///< of the tubes; none: the chord was judged by a box, which holds the branch
+    std::array<double, 2> width{};  ///< of the tubes; none: the chord was judged by a box, which holds the branch;
+                                    ///< infinite: the partner was
   };
 
   Chord judge(const Sample& x, const Sample& y, double from, double to, int sheet) const {
@@ -206,6 +207,12 @@ class Tracer {
     if (length > options_.longest) return {0, parts_for(length / options_.longest)};
     for (std::size_t k = 0; k < tracks_; ++k) {
       const TubePoint &a = x.track[k], &b = y.track[k];
+      if (k == 1 && (b.at - a.at).norm() <= options_.tolerance)
+        if (const double extent = partner_extent(x, y, box_of(from, to, sheet)); extent <= options_.tolerance) {
+          error = std::max(error, extent);
+          width[k] = std::numeric_limits<double>::infinity();
+          continue;
+        }
       const auto n = chart_.normal(a.at, b.at);
       const auto proved = n ? tube(form(k), a, b, *n) : std::nullopt;
       if (!proved) return length < options_.tolerance ? judge_by_box(x, y, from, to, sheet) : Chord();
@@ -232,18 +239,49 @@ class Tracer {
     const std::array<Box, 2> box = boxes(from, to, sheet);
     double error = 0;
     for (std::size_t k = 0; k < tracks_; ++k) {
-      const double extent = chart_.extent(box[k], x.track[k].at, y.track[k].at);
+      double extent = chart_.extent(box[k], x.track[k].at, y.track[k].at);
+      if (k == 1 && !(extent <= options_.tolerance)) extent = partner_extent(x, y, box[0]);
       if (!(extent <= options_.tolerance)) return {};  // also where it is not a number
       error = std::max(error, extent);
     }
     return {error, 1};
   }
 
+  Box box_of(double from, double to, int sheet) const {
+    return branch_->enclosing(Interval(std::min(from, to), std::max(from, to)), sheet);
+  }
   std::array<Box, 2> boxes(double from, double to, int sheet) const {
-    std::array<Box, 2> box;
-    box[0] = branch_->enclosing(Interval(std::min(from, to), std::max(from, to)), sheet);
+    std::array<Box, 2> box{box_of(from, to, sheet)};
     if (tracks_ == 2) box[1] = partner<Interval>(partner_->enclosing, box[0]);
     return box;
+  }
+
+  /// As Chart::extent, of the partners of a box: no matter how long it is where all of them are one point.
+  double partner_extent(const Sample& x, const Sample& y, const Box& p) const {
+    return chart_.extent(partners_about(x.track[1].at, p), x.track[1].at, y.track[1].at);
+  }
+  /// The partners of the points of a box, from two sums of the correlations whose lines of partners pass c as near as
+  /// they can, in a basis with c in it. Zero where they cannot be told.
+  Box partners_about(const Point& c, const Box& p) const {
+    std::array<Vector<double, 3>, 3> misses;  // N c: how far the lines of partners pass c
+    for (std::size_t j = 0; j < 3; ++j) misses[j] = partner_->approximate[j] * c;
+    std::size_t widest = 0;
+    for (std::size_t j = 1; j < 3; ++j)
+      if (misses[j].norm() > misses[widest].norm()) widest = j;
+    Eigen::Index k = 0;
+    c.cwiseAbs().maxCoeff(&k);
+    std::array<Correlation<Interval>, 2> n;
+    for (std::size_t j = 0; j < 2; ++j) {
+      const std::size_t from = (widest + 1 + j) % 3;
+      const double share = misses[from].dot(misses[widest]) / misses[widest].squaredNorm();
+      for (int i = 0; i < 9; ++i) n[j](i) = partner_->enclosing[from](i) - share * partner_->enclosing[widest](i);
+      for (int i = 0; i < 3; ++i) n[j](i, k) = n[j](i, 0) * c[0] + n[j](i, 1) * c[1] + n[j](i, 2) * c[2];
+    }
+    const Box seen = partner<Interval>(n, p);
+    Box out{Interval(0), Interval(0), Interval(0)};
+    if (contains_zero(seen[k])) return out;
+    for (int i = 0; i < 3; ++i) out[i] = i == k ? Interval(c[i]) : Interval(seen[i] / seen[k] + c[i]);
+    return out;
   }
 
   bool left_out(const Sample& x, const Sample& y, double from, double to, int sheet) const {

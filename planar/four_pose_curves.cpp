@@ -4,11 +4,14 @@
 #include <cassert>
 #include <cmath>
 #include <optional>
+#include <string>
 
 #include "burmester/geometry/line_fit.hpp"
 #include "burmester/geometry/paired_curves.hpp"
+#include "burmester/modules/framework/equal_poses.hpp"
 #include "burmester/planar/anchored_basis.hpp"
 #include "burmester/planar/classify.hpp"
+#include "burmester/planar/dyad_form.hpp"
 #include "burmester/planar/equidistance.hpp"
 
 namespace burmester::planar {
@@ -67,6 +70,17 @@ void add_sliders(const Task& task, PlanarReport& report) {
   }
 }
 
+std::string degeneracy_of(FourPoses poses) {
+  const auto same = [&](int i, int j) {
+    const Pose &a = poses[static_cast<std::size_t>(i)], &b = poses[static_cast<std::size_t>(j)];
+    return a.x == b.x && a.y == b.y && same_orientation(a, b);
+  };
+  for (int i = 0; i < 4; ++i)
+    for (int j = i + 1; j < 4; ++j)
+      if (same(i, j)) return name_equal_poses(same, 4);
+  return DyadForm(poses).degeneracy();
+}
+
 constexpr CurveWords words{"line", "conic"};
 
 }  // namespace
@@ -77,7 +91,7 @@ FourPoseCurves four_pose_curves(FourPoses poses, const CurveOptions& options) {
       paired_curves({[&] { return task.correlations<Interval>(); }, [&] { return task.correlations<Rational>(); }},
                     trace_in_plane, {options.tolerance, options.longest, options.window});
   if (curves.topology.rung == Rung::none)
-    curves.topology.reason += ", as when two poses are equal or all are parallel or rotations about one point";
+    if (const std::string words = degeneracy_of(poses); !words.empty()) curves.topology.reason += "; " + words;
   return curves_in_frames(curves, task);
 }
 

@@ -1,5 +1,7 @@
 #include "burmester/planar/near_curve.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -28,24 +30,31 @@ struct Centres {
 
 Point2<double> affine(const Vector2& c) { return {c[0], c[1], 1}; }
 
-std::optional<Vector2> nearest_shown(const Vector2& q, const std::vector<CurveRecord>& curves, const Centres& centres) {
-  std::optional<Vector2> best;
+struct Shown {
+  Vector2 at;
+  bool end;  ///< of a piece: the curve goes on where nothing is traced
+};
+
+std::optional<Shown> nearest_shown(const Vector2& q, const std::vector<CurveRecord>& curves, const Centres& centres) {
+  std::optional<Shown> best;
   for (const CurveRecord& curve : curves) {
     const std::size_t n = curve.fixed.size();
     for (std::size_t k = curve.closed ? 0 : 1; k < n; ++k) {
       const Vector2 a = centres.seen(curve.fixed[(k + n - 1) % n]), d = centres.seen(curve.fixed[k]) - a;
       const double t = d.isZero(0) ? 0 : std::clamp(d.dot(q - a) / d.squaredNorm(), 0.0, 1.0);
       const Vector2 p = a + t * d;
-      if (!best || (p - q).norm() < (*best - q).norm()) best = p;
+      if (best && !((p - q).norm() < (best->at - q).norm())) continue;
+      best = {p, !curve.closed && ((k == 1 && t == 0) || (k + 1 == n && t == 1))};
     }
   }
   return best;
 }
 
-/// One step towards the curve along the gradient.
+/// One step towards the curve along the gradient, if it leads nearer; at double points it may not.
 Vector2 projected(const Cubic<double>& f, const Vector2& c) {
   const Vector2 slope = f.gradient(affine(c)).head<2>();
-  return c - f(affine(c)) / slope.squaredNorm() * slope;
+  const Vector2 next = c - f(affine(c)) / slope.squaredNorm() * slope;
+  return std::abs(f(affine(next))) < std::abs(f(affine(c))) ? next : c;
 }
 
 /// The centre point nearest to q that Newton's method leads to; the start, put on the curve, where it leads away.
@@ -90,9 +99,16 @@ PivotPair<T> pair_of(const Point2<T>& c, const Point2<T>& p, double length) {
   return {{T(unit * p[0] / p[2]), T(unit * p[1] / p[2])}, {T(unit * c[0] / c[2]), T(unit * c[1] / c[2])}};
 }
 
-Found<Dyads::Design> dyad_at(const Centres& centres, const Vector2& c, const Vector2& slope, bool certify) {
-  const auto n = centres.correlations<double>();
-  const Point2<double> p = partner(n, affine(c));
+/// Whether a computed partner tells nothing: c, within rounding, is the pole of two displacements, and a line of
+/// partners is left. Each line of partners is known to a few unit roundoffs of |N| |c|.
+bool undetermined(const Point2<double>& p, const std::array<Correlation<double>, 3>& n, const Vector2& c) {
+  double size = 0;
+  for (const Correlation<double>& form : n) size = std::max(size, form.norm() * affine(c).norm());
+  return !(p.norm() > 64 * unit_roundoff * size * size);
+}
+
+Found<Dyads::Design> dyad_at(const Centres& centres, const Vector2& c, const Point2<double>& p, const Vector2& slope,
+                             bool certify) {
   const Pose& first = centres.poses[0];
   const Vector2 at = centres.length * c + Vector2(first.x, first.y);
   const bool far = !(std::abs(p[2]) > 256 * unit_roundoff * p.norm());
@@ -111,18 +127,33 @@ Found<Dyads::Design> dyad_at(const Centres& centres, const Vector2& c, const Vec
 
 }  // namespace
 
-std::vector<Found<Dyads::Design>> dyads_near(FourPoses poses, const std::vector<CurveRecord>& curves,
-                                             const std::vector<std::vector<double>>& near, bool certify) {
+NearDyads dyads_near(FourPoses poses, const std::vector<CurveRecord>& curves,
+                     const std::vector<std::vector<double>>& near, bool certify) {
   const Centres centres{poses, power_of_two_below(task_size(poses))};
-  const Cubic<double> f = points_with_partner(centres.correlations<double>());
-  std::vector<Found<Dyads::Design>> out;
-  for (const std::vector<double>& point : near) {
-    const Vector2 q = centres.seen(point);
+  const auto n = centres.correlations<double>();
+  const Cubic<double> f = points_with_partner(n);
+  NearDyads out;
+  for (std::size_t k = 0; k < near.size(); ++k) {
+    const auto warn = [&](const char* words) { out.warnings.push_back(fmt::format("near[{}]: {}", k, words)); };
+    const Vector2 q = centres.seen(near[k]);
     const auto start = nearest_shown(q, curves, centres);
-    if (!start) continue;
-    const Vector2 c = nearest(f, q, *start);
-    auto found = dyad_at(centres, c, f.gradient(affine(c)).head<2>(), certify);
-    if (std::holds_alternative<RR::Design>(found.design)) out.push_back(std::move(found));
+    if (!start) {
+      warn("no curve is listed; no dyad");
+      continue;
+    }
+    const Vector2 c = nearest(f, q, start->at);
+    const Point2<double> p = partner(n, affine(c));
+    if (undetermined(p, n, c)) {
+      warn("the nearest centre point is a common pole, every point of a line is its partner; no dyad");
+      continue;
+    }
+    auto found = dyad_at(centres, c, p, f.gradient(affine(c)).head<2>(), certify);
+    if (!std::holds_alternative<RR::Design>(found.design)) {
+      warn("the nearest centre point is the pivot of a slider; no RR dyad");
+      continue;
+    }
+    if (start->end) warn("the curve is traced no farther than to this dyad; farther out it may be nearer");
+    out.dyads.push_back(std::move(found));
   }
   return out;
 }

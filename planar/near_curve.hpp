@@ -6,14 +6,23 @@
 // intervals.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "burmester/planar/four_pose_curves.hpp"
 
 namespace burmester::planar {
 
-/// Dyads near points q of the fixed frame, one for each, and none where the nearest centre point is a slider's (these
-/// are listed with the curve) or no curve is shown. curves: those of the poses. A certificate's radius bounds the
-/// distance to some dyad of the curve.
-std::vector<Found<Dyads::Design>> dyads_near(FourPoses poses, const std::vector<CurveRecord>& curves,
-                                             const std::vector<std::vector<double>>& near, bool certify);
+struct NearDyads {
+  std::vector<Found<Dyads::Design>> dyads;  ///< RR
+  std::vector<std::string> warnings;        ///< of points without a dyad, and where the trace ends: "near[0]: .."
+};
+
+/// Dyads near points q of the fixed frame, one for each: nearest on the curve as it is traced. None where the nearest
+/// centre point is a slider's (these are listed with the curve) or a common pole of several displacements, or no curve is
+/// shown; a warning says so. curves: those of the poses. A certificate's radius bounds the distance to some dyad of the
+/// curve.
+NearDyads dyads_near(FourPoses poses, const std::vector<CurveRecord>& curves,
+                     const std::vector<std::vector<double>>& near, bool certify);
 
 }  // namespace burmester::planar

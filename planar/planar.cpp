@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <numbers>
 
 #include "burmester/modules/framework/condition.hpp"
@@ -86,8 +87,9 @@ PlanarReport solve(const Problem& problem, std::span<const Pose> poses) {
       if (const char* expected = Pivots::complaint(problem.near[k]))
         throw InputError(fmt::format("near[{}]: expected {}", k, expected));
     report = FourPoseSolver().solve(poses);
-    for (auto& found : dyads_near(std::span(poses).first<4>(), report.curves, problem.near, problem.certify))
-      report.dyads.push_back(std::move(found));
+    auto near = dyads_near(std::span(poses).first<4>(), report.curves, problem.near, problem.certify);
+    std::ranges::move(near.dyads, std::back_inserter(report.dyads));
+    std::ranges::move(near.warnings, std::back_inserter(report.warnings));
     drop_repeated<Pivots>(report, poses, "points");
   } else if (poses.size() < 4) {
     report = FamilySolver{.units = problem.units}.solve(poses);

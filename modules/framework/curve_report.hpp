@@ -65,6 +65,8 @@ Report<List> curve_report(FourPoseCurves curves, const CurveWords& words) {
   report.message = description_of(curves.topology, words);
   report.counts.dimension = 1;
   report.curves = std::move(curves.pieces);
+  if (curves.topology.isolated > 0)
+    report.warnings.push_back("a component of the circle-point curve is a single point and is not listed");
   if (!curves.complete) report.warnings.push_back("a part of the curves could not be proved and is not listed");
   return report;
 }

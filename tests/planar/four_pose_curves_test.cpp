@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "burmester/geometry/curve_analysis.hpp"
 #include "burmester/planar/five_pose_solver.hpp"
@@ -166,17 +167,15 @@ TEST(FourPoseCurves, AgreeWithTheDyadForm) {
 
 TEST(FourPoseCurves, DegeneratePosesAreNamed) {
   const std::pair<const char*, std::array<std::array<double, 3>, 4>> cases[] = {
-      {"equal", {{{0, 0, 0}, {2, 1, 40}, {2, 1, 40}, {-1, 3, 100}}}},
-      {"equal to the first", {{{0, 0, 0}, {0, 0, 0}, {2, 1, 40}, {-1, 3, 100}}}},
-      {"parallel", {{{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {3, 1, 0}}}},
-      {"rotations", {{{0, 0, 0}, {0, 0, 30}, {0, 0, 60}, {0, 0, 90}}}}};
-  for (const auto& [name, poses] : cases) {
+      {"poses 2 and 3 are equal: in effect 3 poses", {{{0, 0, 0}, {2, 1, 40}, {2, 1, 40}, {-1, 3, 100}}}},
+      {"poses 1 and 2 are equal: in effect 3 poses", {{{0, 0, 0}, {0, 0, 0}, {2, 1, 40}, {-1, 3, 100}}}},
+      {"all four poses are parallel", {{{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {3, 1, 0}}}},
+      {"all four poses are rotations about one point", {{{0, 0, 0}, {0, 0, 30}, {0, 0, 60}, {0, 0, 90}}}}};
+  for (const auto& [words, poses] : cases) {
     const PlanarReport report = FourPoseSolver().solve(four_poses(poses));
-    EXPECT_EQ(report.status, Status::degenerate) << name;
-    EXPECT_NE(report.message.find("two poses are equal or all are parallel or rotations about one point"),
-              std::string::npos)
-        << report.message;
-    EXPECT_TRUE(report.curves.empty() && report.dyads.empty()) << name;
+    EXPECT_EQ(report.status, Status::degenerate) << words;
+    EXPECT_NE(report.message.find(words), std::string::npos) << report.message;
+    EXPECT_TRUE(report.curves.empty() && report.dyads.empty()) << words;
   }
 }
 
@@ -186,11 +185,14 @@ TEST(FourPoseCurves, SpecialPosesAreStillAFamily) {
     const char* name;
     std::array<std::array<double, 3>, 4> poses;
     std::size_t lines, conics, sliders;
+    int far = 0;  ///< components whose partners are at infinity
   };
   const Case cases[] = {{"one translation", {{{0, 0, 0}, {2, 0, 0}, {2, 1, 40}, {-1, 3, 100}}}, 0, 0, 2},
-                        {"three parallel", {{{0, 0, 0}, {2, 0, 0}, {2, 1, 40}, {-1, 3, 0}}}, 1, 1, 0},
+                        {"three parallel", {{{0, 0, 0}, {2, 0, 0}, {2, 1, 40}, {-1, 3, 0}}}, 1, 1, 0, 1},
                         {"coincident poles", {{{0, 0, 0}, {0, 0, 30}, {0, 0, 80}, {3, 1, -50}}}, 1, 1, 2},
                         {"mirror images in pairs", {{{-1, 0, -30}, {1, 0, 30}, {-3, 2, -70}, {3, 2, 70}}}, 1, 1, 2},
+                        {"coincident poles, a half turn", {{{0, 0, 0}, {0, 0, 90}, {0, 0, 180}, {1, 0, 0}}}, 1, 1, 2},
+                        {"a rectangle", {{{0, 0, 0}, {1, 0, 0}, {0, 0, 180}, {1, 0, 180}}}, 3, 0, 0},
                         {"two orientations", {{{0, 0, 0}, {1, 2, 0}, {3, 1, 50}, {-2, 2, 50}}}, 1, 1, 0}};
   for (const Case& c : cases) {
     const FourPoseTask task = four_poses(c.poses);
@@ -201,12 +203,23 @@ TEST(FourPoseCurves, SpecialPosesAreStillAFamily) {
     EXPECT_EQ(topology.conics.size(), c.conics) << c.name;
     EXPECT_EQ(report.dyads.size(), c.sliders) << c.name;
     std::size_t pairs = 0;
-    for (const CurveRecord& piece : report.curves)
+    std::set<int> components;
+    for (const CurveRecord& piece : report.curves) {
+      components.insert(piece.component);
       for (std::size_t k = 0; k < piece.moving.size(); ++k, ++pairs)
         EXPECT_LT(concyclicity(task, {piece.moving[k][0], piece.moving[k][1]}, {piece.fixed[k][0], piece.fixed[k][1]}),
                   1e-12)
             << c.name << " " << piece.moving[k][0] << " " << piece.moving[k][1];
+    }
     EXPECT_GT(pairs, 20u) << c.name;
+    EXPECT_LT(pairs, 5000u) << c.name;
+    EXPECT_EQ(static_cast<int>(components.size()) + topology.isolated + c.far, topology.components) << c.name;
+    EXPECT_EQ(topology.isolated > 0, std::ranges::any_of(report.warnings,
+                                                         [](const std::string& warning) {
+                                                           return warning.find("is a single point and is not listed") !=
+                                                                  std::string::npos;
+                                                         }))
+        << c.name;
   }
 }
 
