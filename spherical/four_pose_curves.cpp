@@ -58,7 +58,7 @@ std::string degeneracy_of(FourPoses poses) {
 void add_sliders(FourPoses poses, SphericalReport& report) {
   const auto found = sliders(poses);
   if (!found) {
-    report.message += "; infinitely many of them are sliders";
+    report.message += "; the sliders among them are not decided";
     return;
   }
   report.message += found->empty() ? "; none of them a slider"
