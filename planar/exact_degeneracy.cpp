@@ -1,6 +1,7 @@
 #include "burmester/planar/exact_degeneracy.hpp"
 
 #include "burmester/geometry/common_points.hpp"
+#include "burmester/geometry/exact_rank.hpp"
 #include "burmester/geometry/null_space.hpp"
 #include "burmester/geometry/signature.hpp"
 #include "burmester/planar/orientations.hpp"
@@ -24,11 +25,6 @@ Plane2 step(const Pose& a, const Pose& b) {
 }
 Rational cross(const Plane2& a, const Plane2& b) { return a[0] * b[1] - a[1] * b[0]; }
 
-template <int Rows, int Cols>
-int rank_of(const Matrix<Rational, Rows, Cols>& m) {
-  return detail::Elimination<Rational, Rows, Cols>(m).run();
-}
-
 // ---- Parallel poses ----
 
 /// Whether the origins of the poses lie on one circle or line.
@@ -38,7 +34,7 @@ bool concyclic(FivePoses poses, const OrientationClass& among) {
     const Plane2 t = step(poses[among.member[0]], poses[among.member[r + 1]]);
     rows.row(r) << t.dot(t), t[0], t[1];
   }
-  return rank_of(rows) < 3;
+  return exact_rank(rows) < 3;
 }
 
 /// Every two poses that the verdict calls equal are.
@@ -177,27 +173,10 @@ Outcome one_conic(const Plane& p, bool empty) {
   return proved_if(empty == (definite && form.rank == 3));
 }
 
-/// Exact, however small the entries: the pivots that NullSpace reports are doubles and may be rounded to 0.
-int rank_of(Matrix<Rational, 4, 7> m) {
-  int rank = 0;
-  for (int c = 0; c < 7 && rank < 4; ++c) {
-    int row = rank;
-    while (row < 4 && m(row, c) == 0) ++row;
-    if (row == 4) continue;
-    m.row(row).swap(m.row(rank));
-    for (int r = rank + 1; r < 4; ++r) {
-      const Rational factor = m(r, c) / m(rank, c);
-      for (int k = c; k < 7; ++k) m(r, k) -= factor * m(rank, k);
-    }
-    ++rank;
-  }
-  return rank;
-}
-
 Outcome degenerate_pencil(FivePoseCase what, FivePoses poses, const Anchor& anchor) {
   const Matrix<Rational, 4, 7> rows = anchored_rows<Rational>(poses, anchor);
   const NullSpace<Rational, 4, 7> null = null_space(rows);
-  if (what == FivePoseCase::rank_deficient) return proved_if(rank_of(rows) < 4);
+  if (what == FivePoseCase::rank_deficient) return proved_if(exact_rank(rows) < 4);
   if (!(null.smallest_pivot() > 0)) return std::nullopt;
   const auto conics = relation_conics(null.basis, Rational(anchor.turn));
   const Plane plane{null.basis, conics[0], conics[1]};

@@ -18,8 +18,8 @@ struct EnclosedAxes {
   int multiplicity = 1;                       ///< of the solution of the equations
 };
 
-/// All different real solutions of the equations; nothing where there are infinitely many (a chart that hides two
-/// solutions behind each other is replaced by another).
+/// All different real solutions of the equations. Nothing where no chart shows each of them alone: there are infinitely
+/// many, or at one of finitely many the equations are stationary in too many directions.
 std::optional<std::vector<EnclosedAxes>> exact_axes(const Bilinear<Rational>& equations);
 
 }  // namespace burmester::spherical

@@ -1,52 +1,35 @@
 #include "burmester/spherical/exact_degeneracy.hpp"
 
-#include "burmester/geometry/null_space.hpp"
-#include "burmester/geometry/rational.hpp"
+#include "burmester/geometry/exact_rank.hpp"
+#include "burmester/spherical/exact_orientations.hpp"
 
 namespace burmester::spherical {
 namespace {
 
-using Direction = Vector<Rational, 3>;
 using Equations = Bilinear<Rational>;
 
-Direction direction_of(const Quaternion<Rational>& p) { return {p[1], p[2], p[3]}; }
-bool is_zero(const Direction& v) { return v[0] == 0 && v[1] == 0 && v[2] == 0; }
-Direction cross(const Direction& a, const Direction& b) {
-  return {Rational(a[1] * b[2] - a[2] * b[1]), Rational(a[2] * b[0] - a[0] * b[2]),
-          Rational(a[0] * b[1] - a[1] * b[0])};
-}
+/// Axes of the rotations between all pairs of poses.
+struct TurnAxes {
+  std::vector<ExactAxis> moving, fixed;  ///< in E, and in S seen from the first pose: Q_0^T Q_i a
+};
 
-/// Axes in E of the rotations between all pairs of poses; zero for equal ones.
-std::vector<Direction> axes_between(FivePoses poses) {
-  std::vector<Direction> out;
+TurnAxes axes_between(FivePoses poses) {
+  TurnAxes out;
+  const Quaternion<Rational> back = Space::conjugate<Rational>(Space::point<Rational>(poses[0]));
   for (std::size_t i = 0; i < 5; ++i)
-    for (std::size_t j = i + 1; j < 5; ++j)
-      out.push_back(direction_of(relative_rotation<Rational>(poses[i], poses[j])));
+    for (std::size_t j = i + 1; j < 5; ++j) {
+      const auto seen = quaternion_product<Rational>(back, Space::point<Rational>(poses[i]));
+      out.moving.push_back(turn_axis(poses[i], poses[j]));
+      out.fixed.push_back(Space::act<Rational>(seen, out.moving.back()));
+    }
   return out;
 }
 
-bool all_parallel(const std::vector<Direction>& axes) {
-  for (const Direction& a : axes)
-    if (!is_zero(cross(axes[0], a))) return false;
-  return true;
-}
-
-/// Exact, however small the entries.
-template <int Rows, int Cols>
-int rank_of(Matrix<Rational, Rows, Cols> m) {
-  int rank = 0;
-  for (int c = 0; c < Cols && rank < Rows; ++c) {
-    int row = rank;
-    while (row < Rows && m(row, c) == 0) ++row;
-    if (row == Rows) continue;
-    m.row(row).swap(m.row(rank));
-    for (int r = rank + 1; r < Rows; ++r) {
-      const Rational factor = m(r, c) / m(rank, c);
-      for (int k = c; k < Cols; ++k) m(r, k) -= factor * m(rank, k);
-    }
-    ++rank;
-  }
-  return rank;
+bool some_are_equal(FivePoses poses) {
+  for (std::size_t i = 0; i < 5; ++i)
+    for (std::size_t j = i + 1; j < 5; ++j)
+      if (equal_exactly(poses[i], poses[j])) return true;
+  return false;
 }
 
 Matrix<Rational, 4, 9> conditions(const Equations& n) {
@@ -56,11 +39,11 @@ Matrix<Rational, 4, 9> conditions(const Equations& n) {
   return out;
 }
 
-/// Rank of M(a).
-int rank_at(const Equations& n, const Direction& a) {
+/// M(a)
+Matrix<Rational, 4, 3> lines_of_partners(const Equations& n, const ExactAxis& a) {
   Matrix<Rational, 4, 3> m;
   for (int j = 0; j < 4; ++j) m.row(j) = line_of_partners(n[static_cast<std::size_t>(j)], a).transpose();
-  return rank_of(m);
+  return m;
 }
 
 Equations transposed(const Equations& n) {
@@ -71,35 +54,59 @@ Equations transposed(const Equations& n) {
 
 /// An axis with rank one takes at most two places: two of the five poses put it in one place, so it is the axis of the
 /// rotation between these.
-bool some_axis_takes_two_places(const Equations& n, const std::vector<Direction>& axes) {
-  for (const Direction& a : axes)
-    if (!is_zero(a) && rank_at(n, a) < 2) return true;
-  return false;
+std::optional<ExactAxis> axis_in_two_places(const Equations& n, const std::vector<ExactAxis>& axes) {
+  for (const ExactAxis& a : axes)
+    if (exact_rank(lines_of_partners(n, a)) < 2) return a;
+  return std::nullopt;
 }
 
-/// The same axes in S, seen from the first pose: Q_0^T Q_i a.
-std::vector<Direction> seen_in_frame(FivePoses poses) {
-  std::vector<Direction> out;
-  const Quaternion<Rational> back = Space::conjugate<Rational>(Space::point<Rational>(poses[0]));
-  for (std::size_t i = 0; i < 5; ++i)
-    for (std::size_t j = i + 1; j < 5; ++j)
-      out.push_back(Space::act<Rational>(quaternion_product<Rational>(back, Space::point<Rational>(poses[i])),
-                                         direction_of(relative_rotation<Rational>(poses[i], poses[j]))));
+/// Orthogonal to all rows, which have rank two.
+ExactAxis only_partner(const Matrix<Rational, 4, 3>& rows) {
+  for (int i = 0; i < 4; ++i)
+    for (int j = i + 1; j < 4; ++j) {
+      const ExactAxis b = ExactAxis(rows.row(i)).cross(ExactAxis(rows.row(j)));
+      if (!b.isZero(0)) return b;
+    }
+  return ExactAxis::Zero();
+}
+
+/// The largest coordinate 1 or -1.
+Vector<RationalInterval, 3> enclosed(const ExactAxis& a) {
+  Rational size = 0;
+  for (const Rational& x : a) size = std::max(size, Rational(abs(x)));
+  Vector<RationalInterval, 3> out;
+  for (int i = 0; i < 3; ++i) out[i] = RationalInterval(Rational(a[i] / size));
   return out;
+}
+
+/// The partner that an axis of the other body has outside the family of `a` (docs/certificates.md). n: seen from these
+/// others, so that M of one is the lines of its partners.
+std::optional<EnclosedAxes> isolated_dyad(const Equations& n, const std::vector<ExactAxis>& others,
+                                          const ExactAxis& a) {
+  for (const ExactAxis& b : others) {
+    const Matrix<Rational, 4, 3> rows = lines_of_partners(n, b);
+    if (exact_rank(rows) != 2) continue;
+    if (const ExactAxis partner = only_partner(rows); !parallel(partner, a))
+      return EnclosedAxes{enclosed(partner), enclosed(b), 1};
+  }
+  return std::nullopt;
 }
 
 }  // namespace
 
-Degeneracy exact_degeneracy(FivePoses poses) {
-  const std::vector<Direction> axes = axes_between(poses);
-  for (const Direction& a : axes)
-    if (is_zero(a)) return Degeneracy::equal_orientations;
-  const Equations n = bilinear_equations<Rational>(poses, 0);
-  if (all_parallel(axes)) return Degeneracy::one_axis;
-  if (rank_of(conditions(n)) < 4) return Degeneracy::rank_deficient;
-  if (some_axis_takes_two_places(n, axes)) return Degeneracy::moving_on_circle;
-  if (some_axis_takes_two_places(transposed(n), seen_in_frame(poses))) return Degeneracy::fixed_on_circle;
-  return Degeneracy::none;
+ExactDegeneracy exact_degeneracy(FivePoses poses) {
+  if (some_are_equal(poses)) return {Degeneracy::equal_orientations, {}};
+  if (one_axis_exactly(poses)) return {Degeneracy::one_axis, {}};
+  const Equations n = bilinear_equations<Rational>(poses, 0), back = transposed(n);
+  if (exact_rank(conditions(n)) < 4) return {Degeneracy::rank_deficient, {}};
+  const TurnAxes axes = axes_between(poses);
+  const auto moving = axis_in_two_places(n, axes.moving), fixed = axis_in_two_places(back, axes.fixed);
+  if (moving && fixed) return {Degeneracy::both_on_circles, {}};
+  if (moving) return {Degeneracy::moving_on_circle, isolated_dyad(back, axes.fixed, *moving)};
+  if (!fixed) return {};
+  ExactDegeneracy out{Degeneracy::fixed_on_circle, isolated_dyad(n, axes.moving, *fixed)};
+  if (out.isolated) std::swap(out.isolated->moving, out.isolated->fixed);
+  return out;
 }
 
 }  // namespace burmester::spherical

@@ -1,7 +1,10 @@
-// Five orientations with infinitely many dyads: why, proved over rationals of the doubles as they are.
+// Five orientations with infinitely many dyads: why, proved over rationals of the doubles as they are, and the dyad that
+// is in none of the families.
 #pragma once
 
-#include "burmester/spherical/five_pose_sextic.hpp"
+#include <optional>
+
+#include "burmester/spherical/exact_axes.hpp"
 
 namespace burmester::spherical {
 
@@ -11,10 +14,16 @@ enum class Degeneracy {
   one_axis,            ///< all rotate about one axis: every axis with that one
   rank_deficient,      ///< the four conditions on b (x) a are dependent
   moving_on_circle,    ///< a moving axis takes only two places: the fixed axes with it are a great circle
-  fixed_on_circle      ///< the same seen from the body
+  fixed_on_circle,     ///< the same seen from the body
+  both_on_circles      ///< both: three orientations about one axis, the other two with that axis turned over
 };
 
-/// Of five orientations; the first kind in the order above that is proved.
-Degeneracy exact_degeneracy(FivePoses poses);
+struct ExactDegeneracy {
+  Degeneracy kind = Degeneracy::none;    ///< the first in the order above that is proved
+  std::optional<EnclosedAxes> isolated;  ///< the only real dyad that is in no family, seen from the first pose
+};
+
+/// Of five orientations.
+ExactDegeneracy exact_degeneracy(FivePoses poses);
 
 }  // namespace burmester::spherical

@@ -147,11 +147,20 @@ Axis middle(const Vector<RationalInterval, 3>& x) {
   return Axis(approximate(x[0]), approximate(x[1]), approximate(x[2])).stableNormalized();
 }
 
+void prove_degenerate(FivePoses poses, CertifiedAxes& out) {
+  const ExactDegeneracy proved = exact_degeneracy(poses);
+  out.degeneracy = proved.kind;
+  if (!proved.isolated) return;
+  const CertifiedAxes isolated = certified_axes({&*proved.isolated, 1}, poses[0], 0);
+  out.reference = 0, out.isolated = 1;
+  out.axes[0] = isolated.axes[0], out.boxes[0] = isolated.boxes[0];
+}
+
 void prove_exactly(FivePoses poses, CertifiedAxes& out) {
   if (const auto all = exact_axes(bilinear_equations<Rational>(poses, out.reference)))
     out = certified_axes(*all, at(poses, out.reference), out.reference);
   else
-    out.degeneracy = exact_degeneracy(poses);
+    prove_degenerate(poses, out);
 }
 
 /// The angle whose sine is at most e, or a little more.

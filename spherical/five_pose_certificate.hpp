@@ -38,6 +38,7 @@ struct CertifiedAxes {
   Rung count_rung = Rung::none;  ///< what proved it
   bool complete = false;         ///< count is proved, and so many disjoint boxes are
   Degeneracy degeneracy = Degeneracy::none;  ///< proved: infinitely many dyads, why
+  int isolated = 0;                          ///< beside these so many, the first of `axes`; all there are, proved
 };
 
 /// For any five orientations. `found`: approximations of the real dyads, of any origin, in any order; they save time, but
@@ -54,7 +55,7 @@ double error_bound(const Dyads::Design& shown, const AxesBox& box, const Pose& r
 
 /// The interval rung alone: the number of real dyads, -1 where intervals cannot tell. For tests and benchmarks.
 int count_by_intervals(FivePoses poses);
-/// The exact rung alone, -1 where there are infinitely many dyads.
+/// The exact rung alone, -1 where it does not decide (exact_axes.hpp).
 int count_exactly(FivePoses poses);
 
 }  // namespace burmester::spherical

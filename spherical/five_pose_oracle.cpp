@@ -58,13 +58,17 @@ IntegerQuaternion turn(const IntegerQuaternion& p, const IntegerQuaternion& q) {
   return out;
 }
 
-/// Moving axes are a = frame (x, 1, t): so that no axis is special, neither of a task nor of the coordinates.
-constexpr int frame[3][3] = {{3, 1, -2}, {1, 4, 1}, {-1, 2, 5}};
+/// Moving axes are a = frame (x, 1, t): no axis of the coordinates is special. The first column is, a centre of projection:
+/// behind it dyads hide, so there is more than one frame.
+using Frame = std::array<std::array<int, 3>, 3>;
+constexpr std::array<Frame, 3> frames{{{{{3, 1, -2}, {1, 4, 1}, {-1, 2, 5}}},
+                                       {{{1, -3, 7}, {5, 2, -1}, {2, 6, 3}}},
+                                       {{{-4, 5, 1}, {3, 1, 6}, {7, -2, 2}}}}};
 
 /// a^T N b = 0 as (x, 1, t) . (row[0] . b, row[1] . b, row[2] . b): row[0] x + row[1] + row[2] t = displacement of a.
 using Condition = Triple<Integers>;
 
-Condition condition_of(const IntegerQuaternion& r) {
+Condition condition_of(const IntegerQuaternion& r, const Frame& frame) {
   const auto& [c, s] = r;
   const Integer ss = dot(s, s);
   Condition N;  // c s . (a x b) + (a . s) (b . s) - s . s (a . b)
@@ -82,11 +86,15 @@ Condition condition_of(const IntegerQuaternion& r) {
 }
 
 struct Task {
+  Frame frame;
+  Pose first;
   std::array<IntegerQuaternion, 4> turns;  ///< from the first pose
   std::array<Condition, 4> N;
-  explicit Task(FivePoses poses) {
-    const IntegerQuaternion first = integers(poses[0]);
-    for (std::size_t j = 0; j < 4; ++j) turns[j] = turn(first, integers(poses[j + 1])), N[j] = condition_of(turns[j]);
+  Task(FivePoses poses, const Frame& axes) : frame(axes), first(poses[0]) {
+    for (std::size_t j = 0; j < 4; ++j) {
+      turns[j] = turn(integers(first), integers(poses[j + 1]));
+      N[j] = condition_of(turns[j], frame);
+    }
   }
 };
 
@@ -112,14 +120,14 @@ Vector<Quad, 3> unit_vector(const Triple<Rational>& v) {
 }
 
 /// A moving axis given by (x, 1, t), in the first pose, and its fixed axis.
-ExactDyad dyad(const Rational& x, const Rational& t, const Triple<Rational>& b, const Pose& first) {
+ExactDyad dyad(const Rational& x, const Rational& t, const Triple<Rational>& b, const Task& task) {
   Triple<Rational> a;
-  for (std::size_t i = 0; i < 3; ++i) a[i] = frame[i][0] * x + frame[i][1] + frame[i][2] * t;
+  for (std::size_t i = 0; i < 3; ++i) a[i] = task.frame[i][0] * x + task.frame[i][1] + task.frame[i][2] * t;
   ExactDyad out;
   const Vector<Quad, 3> in_S = unit_vector(a);
   out.fixed = unit_vector(b);
   out.arc = atan2(sqrt(in_S.cross(out.fixed).squaredNorm()), in_S.dot(out.fixed));
-  const Vector<Quad, 3> in_E = Space::act<Quad>(Space::conjugate<Quad>(Space::point<Quad>(first)), in_S);
+  const Vector<Quad, 3> in_E = Space::act<Quad>(Space::conjugate<Quad>(Space::point<Quad>(task.first)), in_S);
   out.moving = in_E / sqrt(in_E.squaredNorm());
   return out;
 }
@@ -128,26 +136,23 @@ Polynomial<Rational> rational(const Poly& p) {
   return Polynomial<Rational>(std::vector<Rational>(p.coefficients().begin(), p.coefficients().end()));
 }
 
-/// dyad_at(t): the dyad of a root known to 200 bits.
-template <class DyadAt>
-void add_real_dyads(ExactFivePoses& out, DyadAt dyad_at) {
-  if (out.eliminant.degree() < 1) return;
-  for (RealRoot& root : real_roots_exactly(rational(out.eliminant))) {
-    root.refine(Rational(Integer(1), Integer(1) << 240));
-    const RationalInterval box = root.bounds();
-    ExactDyad found = dyad_at(Rational((box.low() + box.high()) / 2));
-    found.multiplicity = root.multiplicity();
-    out.real.push_back(found);
-  }
+bool is_zero_at(const Triple<Poly>& v, RealRoot& t) {
+  return std::all_of(v.begin(), v.end(), [&](const Poly& p) { return sign_at(rational(p), t) == 0; });
+}
+
+template <class T>
+Rational size_of(const Triple<T>& v) {
+  return std::max({Rational(abs(v[0])), Rational(abs(v[1])), Rational(abs(v[2]))});
 }
 
 /// x b = P b / det, c . b = 0.
 struct Elimination {
+  Task task;
   Triple<Poly> c;
   Triple<Triple<Poly>> P;
   Integer det;
 
-  explicit Elimination(const Task& task) {
+  Elimination(FivePoses poses, const Frame& frame) : task(poses, frame) {
     std::array<Integer, 4> minor;  // of the coefficients of x b, without row i, with its sign
     std::size_t best = 0;
     for (std::size_t i = 0; i < 4; ++i) {
@@ -179,6 +184,13 @@ struct Elimination {
     const Poly sextic = determinant(c, times(c), times(times(c)));
     return sextic.is_zero() ? sextic : primitive_part(sextic);
   }
+  /// Whether b is determined, and with it x.
+  bool shows(RealRoot& t) const { return !is_zero_at(cross(c, times(c)), t); }
+  ExactDyad dyad_at(const Rational& t) const {
+    const Triple<Rational> at = value(c, t), b = cross(at, value(times(c), t));
+    const Triple<Rational> Pb{dot(value(P[0], t), b), dot(value(P[1], t), b), dot(value(P[2], t), b)};
+    return dyad(dot(b, Pb) / (dot(b, b) * det), t, b, task);
+  }
 };
 
 /// A cubic in x whose coefficient of x^i is a polynomial in t.
@@ -209,7 +221,7 @@ Triple<Triple<Poly>> bezout(const Cubic& f, const Cubic& g) {
 }
 
 /// p divided by the linear factor that vanishes where the line of `axis` is (x, 1, t). Precondition: it divides p.
-Poly without(const Poly& p, const Integers& axis) {
+Poly without(const Poly& p, const Integers& axis, const Frame& frame) {
   const Integers column[3] = {{frame[0][0], frame[1][0], frame[2][0]},
                               {frame[0][1], frame[1][1], frame[2][1]},
                               {frame[0][2], frame[1][2], frame[2][2]}};
@@ -221,13 +233,104 @@ Poly without(const Poly& p, const Integers& axis) {
   return integer_multiple(Polynomial<Rational>(quotient));
 }
 
+struct Cones {
+  Task task;
+  Triple<Triple<Poly>> B;
+
+  Cones(FivePoses poses, const Frame& frame) : task(poses, frame) {
+    const auto& N = task.N;
+    B = bezout(cone(N[0], N[1], N[2]), cone(N[0], N[1], N[3]));
+  }
+
+  Poly eliminant() const {
+    Poly out = determinant(B[0], B[1], B[2]);
+    if (out.degree() < 9) return {};  // one of the nine lines is at infinity, or all are common
+    const IntegerQuaternion &first = task.turns[0], &second = task.turns[1];
+    const IntegerQuaternion back{first.w, {-first.v[0], -first.v[1], -first.v[2]}};
+    const IntegerQuaternion inverse_second{second.w, {-second.v[0], -second.v[1], -second.v[2]}};
+    for (const Integers& axis : {first.v, second.v, turn(inverse_second, back).v}) out = without(out, axis, task.frame);
+    return out;
+  }
+  /// Multiples of (1, x, x^2); not all zero where x is determined.
+  template <class T>
+  static Triple<Triple<T>> powers(const Triple<Triple<T>>& b) {
+    return {cross(b[0], b[1]), cross(b[0], b[2]), cross(b[1], b[2])};
+  }
+  /// Displacement of (x : 1 : t) = (p1 : p0 : p0 t).
+  static Triple<Poly> displacement(const Condition& n, const Triple<Poly>& p) {
+    const Triple<Poly> rest = constant_part(n);
+    return {p[1] * n[0][0] + p[0] * rest[0], p[1] * n[0][1] + p[0] * rest[1], p[1] * n[0][2] + p[0] * rest[2]};
+  }
+  /// Whether x is determined, and two displacements differ.
+  bool shows(RealRoot& t) const {
+    for (const Triple<Poly>& p : powers(B))
+      for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t j = i + 1; j < 4; ++j)
+          if (!is_zero_at(cross(displacement(task.N[i], p), displacement(task.N[j], p)), t)) return true;
+    return false;
+  }
+  ExactDyad dyad_at(const Rational& t) const {
+    Triple<Rational> best{};
+    for (const Triple<Rational>& p : powers<Rational>({value(B[0], t), value(B[1], t), value(B[2], t)}))
+      if (size_of(p) > size_of(best)) best = p;
+    const Rational x = best[1] / best[0];
+    const auto displacement_at = [&](const Condition& n) {
+      Triple<Rational> d;
+      for (std::size_t k = 0; k < 3; ++k) d[k] = n[0][k] * x + n[1][k] + n[2][k] * t;
+      return d;
+    };
+    Triple<Rational> b{};
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = i + 1; j < 4; ++j)
+        if (const auto across = cross(displacement_at(task.N[i]), displacement_at(task.N[j]));
+            size_of(across) > size_of(b))
+          b = across;
+    return dyad(x, t, b, task);
+  }
+};
+
+/// One of the two ways, in a frame in which every real root shows one dyad.
+template <class Way>
+struct Shown {
+  Way way;
+  Poly eliminant;
+  std::vector<RealRoot> roots;
+};
+
+template <class Way>
+std::optional<Shown<Way>> shown_by(FivePoses poses) {
+  for (const Frame& frame : frames) {
+    Shown<Way> out{Way(poses, frame), {}, {}};
+    out.eliminant = out.way.eliminant();
+    if (out.eliminant.degree() < 6) continue;
+    out.roots = real_roots(rational(out.eliminant));
+    if (std::all_of(out.roots.begin(), out.roots.end(), [&](RealRoot& t) { return out.way.shows(t); })) return out;
+  }
+  return std::nullopt;
+}
+
+/// Roots to 240 bits.
+template <class Way>
+ExactFivePoses exact_by(FivePoses poses) {
+  auto shown = shown_by<Way>(poses);
+  if (!shown) return {};
+  ExactFivePoses out{shown->eliminant, {}};
+  for (RealRoot& root : shown->roots) {
+    root.refine(Rational(Integer(1), Integer(1) << 240));
+    const RationalInterval box = root.bounds();
+    out.real.push_back(shown->way.dyad_at(Rational((box.low() + box.high()) / 2)));
+    out.real.back().multiplicity = root.multiplicity();
+  }
+  return out;
+}
+
 template <class Solve>
 SphericalReport report_by(std::span<const Pose> poses, Solve solve) {
   const ExactFivePoses exact = solve(poses.first<5>());
   if (exact.eliminant.is_zero()) {
     SphericalReport report;
     report.status = Status::degenerate;
-    report.message = "infinitely many dyads";
+    report.message = "infinitely many dyads, or some that coincide in too many directions";
     return report;
   }
   std::vector<RR::Design> real;
@@ -244,51 +347,12 @@ RR::Design ExactDyad::rounded() const {
   return {near(fixed), near(moving), static_cast<double>(arc)};
 }
 
-ExactFivePoses exact_by_elimination(FivePoses poses) {
-  const Elimination elimination{Task(poses)};
-  ExactFivePoses out{elimination.eliminant(), {}};
-  add_real_dyads(out, [&](const Rational& t) {
-    const Triple<Rational> c = value(elimination.c, t);
-    const Triple<Triple<Rational>> P{value(elimination.P[0], t), value(elimination.P[1], t),
-                                     value(elimination.P[2], t)};
-    Triple<Rational> cP, Pb;
-    for (std::size_t k = 0; k < 3; ++k) cP[k] = c[0] * P[0][k] + c[1] * P[1][k] + c[2] * P[2][k];
-    const Triple<Rational> b = cross(c, cP);
-    for (std::size_t k = 0; k < 3; ++k) Pb[k] = dot(P[k], b);
-    return dyad(dot(b, Pb) / (dot(b, b) * elimination.det), t, b, poses[0]);
-  });
-  return out;
-}
+ExactFivePoses exact_by_elimination(FivePoses poses) { return exact_by<Elimination>(poses); }
+ExactFivePoses exact_by_cones(FivePoses poses) { return exact_by<Cones>(poses); }
 
 std::optional<int> exact_count(FivePoses poses) {
-  const Poly eliminant = Elimination(Task(poses)).eliminant();
-  if (eliminant.is_zero()) return std::nullopt;
-  return static_cast<int>(real_roots(rational(eliminant)).size());
-}
-
-ExactFivePoses exact_by_cones(FivePoses poses) {
-  const Task task(poses);
-  const auto& N = task.N;
-  const auto B = bezout(cone(N[0], N[1], N[2]), cone(N[0], N[1], N[3]));
-  ExactFivePoses out{determinant(B[0], B[1], B[2]), {}};
-  if (out.eliminant.is_zero()) return out;
-  const IntegerQuaternion& first = task.turns[0];
-  const IntegerQuaternion back{first.w, {-first.v[0], -first.v[1], -first.v[2]}}, &second = task.turns[1];
-  const IntegerQuaternion inverse_second{second.w, {-second.v[0], -second.v[1], -second.v[2]}};
-  for (const Integers& axis : {first.v, second.v, turn(inverse_second, back).v})
-    out.eliminant = without(out.eliminant, axis);
-  add_real_dyads(out, [&](const Rational& t) {
-    Triple<Rational> powers = cross(value(B[0], t), value(B[1], t));
-    if (is_zero(powers)) powers = cross(value(B[0], t), value(B[2], t));
-    const Rational x = powers[1] / powers[0];
-    const auto displacement = [&](const Condition& n) {
-      Triple<Rational> d;
-      for (std::size_t k = 0; k < 3; ++k) d[k] = n[0][k] * x + n[1][k] + n[2][k] * t;
-      return d;
-    };
-    return dyad(x, t, cross(displacement(N[0]), displacement(N[1])), poses[0]);
-  });
-  return out;
+  const auto shown = shown_by<Elimination>(poses);
+  return shown ? std::optional(static_cast<int>(shown->roots.size())) : std::nullopt;
 }
 
 SphericalReport EliminationOracle::solve(std::span<const Pose> poses) const {

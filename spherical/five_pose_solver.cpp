@@ -8,6 +8,7 @@
 
 #include "burmester/modules/framework/condition.hpp"
 #include "burmester/modules/framework/equal_poses.hpp"
+#include "burmester/spherical/exact_orientations.hpp"
 #include "burmester/spherical/family.hpp"
 #include "burmester/spherical/five_pose_certificate.hpp"
 #include "burmester/spherical/five_pose_roots.hpp"
@@ -46,7 +47,9 @@ std::string name_degeneracy(FivePoseCase what, std::span<const Pose> poses) {
 std::string name_proved(Degeneracy what, std::span<const Pose> poses) {
   switch (what) {
     case Degeneracy::equal_orientations:
-      return name_degeneracy(FivePoseCase::equal_poses, poses);
+      return name_equal_poses([&](int i, int j) {
+        return equal_exactly(poses[static_cast<std::size_t>(i)], poses[static_cast<std::size_t>(j)]);
+      });
     case Degeneracy::one_axis:
       return name_degeneracy(FivePoseCase::common_axis, poses);
     case Degeneracy::rank_deficient:
@@ -54,9 +57,12 @@ std::string name_proved(Degeneracy what, std::span<const Pose> poses) {
     case Degeneracy::moving_on_circle:
       return "infinitely many dyads: a moving axis takes only two places, and every fixed axis as far from the one as "
              "from the other goes with it";
-    default:
+    case Degeneracy::fixed_on_circle:
       return "infinitely many dyads: seen from the body a fixed axis takes only two places, and every moving axis as "
              "far from the one as from the other goes with it";
+    default:
+      return "infinitely many dyads: a moving axis takes only two places, opposite to each other, and so does, seen "
+             "from the body, the fixed axis there; all axes at right angles to the one go with the other";
   }
 }
 
@@ -95,20 +101,25 @@ bool nearly_merge(const FivePoseRoots& roots, const SphericalReport& report) {
 
 // ---- With proof ----
 
-/// The dyads as they were found where intervals proved them, else as elimination gives them.
-SphericalReport certified_report(const CertifiedAxes& proved, const std::vector<RR::Design>& real, FivePoses poses) {
+/// Dyad i as it was found where intervals proved it, else as elimination gives it.
+Found<Dyads::Design> certified_dyad(const CertifiedAxes& proved, std::size_t i, const std::vector<RR::Design>& real,
+                                    FivePoses poses) {
   const Pose& reference = poses[static_cast<std::size_t>(proved.reference)];
+  RR::Design dyad{proved.axes[i].fixed, proved.axes[i].moving, 0};
+  dyad.arc = proved.boxes[i].rung == Rung::intervals ? real[i].arc : RR::residual(dyad, reference);
+  auto found = found_dyad(dyad, poses);
+  const double bound = error_bound(found.design, proved.boxes[i], reference);
+  found.certificate = {std::isfinite(bound), bound, proved.boxes[i].rung};
+  return found;
+}
+
+SphericalReport certified_report(const CertifiedAxes& proved, const std::vector<RR::Design>& real, FivePoses poses) {
   std::vector<Found<Dyads::Design>> dyads;
   double radius = 0;
   bool coincide = false;
   for (std::size_t i = 0; i < static_cast<std::size_t>(proved.count); ++i) {
-    const AxisPair& axes = proved.axes[i];
-    RR::Design dyad{axes.fixed, axes.moving, 0};
-    dyad.arc = proved.boxes[i].rung == Rung::intervals ? real[i].arc : RR::residual(dyad, reference);
-    auto& found = dyads.emplace_back(found_dyad(dyad, poses));
-    const double bound = error_bound(found.design, proved.boxes[i], reference);
-    found.certificate = {std::isfinite(bound), bound, proved.boxes[i].rung};
-    radius = std::max(radius, bound);
+    dyads.push_back(certified_dyad(proved, i, real, poses));
+    radius = std::max(radius, dyads.back().certificate.radius);
     coincide = coincide || proved.boxes[i].multiplicity > 1;
   }
   SphericalReport report = regular(std::move(dyads));
@@ -124,9 +135,11 @@ SphericalReport certified_report(const CertifiedAxes& proved, const std::vector<
 SphericalReport judged_degenerate(FivePoseCase what, const CertifiedAxes& proved, FivePoses poses) {
   SphericalReport report = degenerate(name_degeneracy(what, poses));
   report.counts.certified = proved.degeneracy != Degeneracy::none;
-  if (report.counts.certified)
-    report.message = name_proved(proved.degeneracy, poses) + ", proved";
-  else if (proved.count >= 0)
+  if (report.counts.certified) {
+    report.message =
+        name_proved(proved.degeneracy, poses) + (proved.isolated ? "; one dyad beside them" : "") + ", proved";
+    if (proved.isolated) report.dyads.push_back(certified_dyad(proved, 0, {}, poses));
+  } else if (proved.count >= 0)
     report.message += fmt::format("; true within rounding, the doubles given have {} real dyad{}", proved.count,
                                   proved.count == 1 ? "" : "s");
   else

@@ -7,6 +7,7 @@
 #include "burmester/geometry/paired_curves.hpp"
 #include "burmester/modules/framework/equal_poses.hpp"
 #include "burmester/spherical/equal_angles.hpp"
+#include "burmester/spherical/exact_orientations.hpp"
 
 namespace burmester::spherical {
 namespace {
@@ -36,29 +37,21 @@ class Task {
 
 constexpr CurveWords words{"great circle", "quadric cone"};
 
-bool equal(const Quaternion<Rational>& turn) { return turn[1] == 0 && turn[2] == 0 && turn[3] == 0; }
-
-bool same_axis(const Quaternion<Rational>& a, const Quaternion<Rational>& b) {
-  return a[1] * b[2] == a[2] * b[1] && a[2] * b[3] == a[3] * b[2] && a[3] * b[1] == a[1] * b[3];
-}
-
 /// The two ways in which every axis becomes a circle axis, told exactly.
 std::string degeneracy_of(FourPoses poses) {
   const auto same = [&](int i, int j) {
-    return equal(relative_rotation<Rational>(poses[static_cast<std::size_t>(i)], poses[static_cast<std::size_t>(j)]));
+    return equal_exactly(poses[static_cast<std::size_t>(i)], poses[static_cast<std::size_t>(j)]);
   };
   for (int i = 0; i < 4; ++i)
     for (int j = i + 1; j < 4; ++j)
       if (same(i, j)) return name_equal_poses(same, 4);
-  const auto turn = [&](std::size_t j) { return relative_rotation<Rational>(poses[0], poses[j]); };
-  if (same_axis(turn(1), turn(2)) && same_axis(turn(1), turn(3))) return "all rotations have one axis";
-  return {};
+  return one_axis_exactly(poses) ? "all rotations have one axis" : "";
 }
 
 void add_sliders(FourPoses poses, SphericalReport& report) {
   const auto found = sliders(poses);
   if (!found) {
-    report.message += "; infinitely many of them are sliders";
+    report.message += "; the sliders among them are not decided";
     return;
   }
   report.message += found->empty() ? "; none of them a slider"

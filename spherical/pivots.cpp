@@ -110,7 +110,8 @@ FoundDyad Pivots::dyad(Body given, const std::vector<double>& axis, const ExactA
   judge(found, given, poses);
   if (certify) {
     const double off_b = error_of(b, fixed), off_a = error_of(a, moving), rounding = 64 * unit_roundoff;
-    found.certificate = {true, std::hypot(off_b, off_a, 1.2 * (off_a + off_b) + rounding) * (1 + 0x1p-40), Rung::exact};
+    const double off_arc = 1.2 * (off_a + off_b) + rounding + found.departure.value_or(0);  // a slider states 90 deg
+    found.certificate = {true, std::hypot(off_b, off_a, off_arc) * (1 + 0x1p-40), Rung::exact};
   }
   return found;
 }

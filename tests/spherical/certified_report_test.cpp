@@ -66,11 +66,11 @@ TEST(SphericalReports, ExactDegeneraciesAreProved) {
   const FivePoseTask equal{Pose{1, 2, 3, 4}, {1, 0, 0, 1}, {2, 1, 0, 0}, {-3, -6, -9, -12}, {0, 1, 1, 0}};
   const FivePoseTask one_axis{Pose{1, 0, 0, 0}, {1, 1, 2, -1}, {2, 3, 6, -3}, {0, 1, 2, -1}, {5, 1, 2, -1}};
   const FivePoseTask four_about_one{Pose{1, 0, 0, 0}, {1, 1, 2, -1}, {2, 3, 6, -3}, {0, 1, 2, -1}, {5, 1, 0, -1}};
-  const FivePoseTask three_and_two{Pose{1, 0, 0, 0}, {1, 0, 0, 1}, {2, 0, 0, 3}, {1, 2, 3, 4}, {-3, 5, 1, 5}};
+  const FivePoseTask turned_over{Pose{1, 0, 0, 0}, {1, 0, 0, 1}, {2, 0, 0, 3}, {0, 1, 0, 0}, {0, 2, 1, 0}};
   const std::pair<FivePoseTask, const char*> named[] = {{equal, "poses 1 and 4 are equal"},
                                                         {one_axis, "have one axis"},
                                                         {four_about_one, "fewer than four independent conditions"},
-                                                        {three_and_two, "takes only two places"}};
+                                                        {turned_over, "two places, opposite to each other"}};
   for (const auto& [task, words] : named) {
     const SphericalReport report = solved(task);
     EXPECT_EQ(report.status, Status::degenerate);
@@ -78,6 +78,38 @@ TEST(SphericalReports, ExactDegeneraciesAreProved) {
     EXPECT_THAT(report.message, AllOf(HasSubstr(words), EndsWith(", proved")));
     EXPECT_THAT(report.dyads, IsEmpty());
   }
+}
+
+/// Three orientations about z, the other two with z in one place: z goes with a plane of axes, and with b = z one moving
+/// axis does, here in five digits from the two conditions of the other two.
+TEST(SphericalReports, TheDyadBesideAFamilyIsListedAndProved) {
+  const FivePoseTask task{Pose{1, 0, 0, 0}, {1, 0, 0, 1}, {2, 0, 0, 3}, {1, 2, 3, 4}, {-3, 5, 1, 5}};
+  FivePoseTask inverse = task;
+  for (Pose& p : inverse) p = {p.w, -p.x, -p.y, -p.z};
+  const Axis z(0, 0, 1), partner(0.70274, 0.33288, 0.62877);
+  for (const bool seen_from_body : {false, true}) {
+    const SphericalReport report = solved(seen_from_body ? inverse : task);
+    EXPECT_EQ(report.status, Status::degenerate);
+    EXPECT_TRUE(report.counts.certified);
+    EXPECT_THAT(report.message, AllOf(HasSubstr("takes only two places"), EndsWith("; one dyad beside them, proved")));
+    ASSERT_EQ(report.dyads.size(), 1u);
+    const auto& found = report.dyads[0];
+    const auto& dyad = std::get<RR::Design>(found.design);
+    EXPECT_LT((seen_from_body ? dyad.moving : dyad.fixed).cross(z).norm(), 1e-15);
+    EXPECT_LT((seen_from_body ? dyad.fixed : dyad.moving).cross(partner).norm(), 1e-5);
+    EXPECT_NEAR(std::sin(dyad.arc), std::sin(51.04073 * std::numbers::pi / 180), 1e-7);
+    EXPECT_LT(found.residual, 1e-14);
+    EXPECT_TRUE(found.certificate.certified);
+    EXPECT_LT(found.certificate.radius, 1e-14);
+  }
+}
+
+/// Poses 1 and 4 are equal; 2 and 3 differ, by less than the rounding of unit quaternions.
+TEST(SphericalReports, OnlyEqualOrientationsAreProvedEqual) {
+  const FivePoseTask task{Pose{1, 2, 3, 4}, {1, 0, 0, 1}, {1, 0, 0x1p-52, 1}, {-3, -6, -9, -12}, {0, 1, 1, 0}};
+  EXPECT_EQ(solved(task).message,
+            "poses 1 and 4 are equal: in effect 4 poses, in general met by a curve of dyads (circle points and centre "
+            "points), proved");
 }
 
 TEST(SphericalReports, RoundedDegeneraciesSayWhatHoldsOfTheDoubles) {

@@ -60,6 +60,55 @@ TEST(SphericalOracles, TheirDyadsMeetTheExactPoses) {
   }
 }
 
+/// Small integers, found by search: six dyads of which two coincide; in the first frame two others lie behind each other.
+TEST(SphericalOracles, DyadsBehindTheLineOfProjectionAreSeenFromAnother) {
+  const FivePoseTask double_dyad{Pose{1, 0, 0, 0}, {0, 1, 0, 1}, {0, 1, 5, 1}, {1, -1, -3, 1}, {1, -1, 0, -2}};
+  const auto by_elimination = exact_by_elimination(double_dyad), by_cones = exact_by_cones(double_dyad);
+  for (const ExactFivePoses& found : {by_elimination, by_cones}) {
+    EXPECT_EQ(found.real.size(), 5u);
+    int counted = 0;
+    for (const ExactDyad& dyad : found.real) counted += dyad.multiplicity;
+    EXPECT_EQ(counted, 6);
+  }
+  EXPECT_EQ(exact_count(double_dyad), 5);
+}
+
+TEST(SphericalOracles, AnAxisInTheLineOfProjectionIsFound) {
+  const std::string stream = "SphericalOracles.AnAxisInTheLineOfProjectionIsFound";
+  SCOPED_TRACE(stream);
+  Random random(stream);
+  const Vector<double, 3> a(3, 1, -1), b(1, 2, -2);  // a in the first pose, integers
+  for (int i = 0; i < 5; ++i) {
+    FivePoseTask task{Pose{}};
+    for (std::size_t j = 1; j < 5; ++j) {  // about b, and about a before that: exactly, the norm is free
+      const auto part = [&](const Vector<double, 3>& v) {
+        const double s = 1.0 + random.below(20);
+        return Vector<double, 4>(random.below(41) - 20.0, s * v[0], s * v[1], s * v[2]);
+      };
+      task[j] = Space::pose(quaternion_product<double>(part(b), part(a)));
+    }
+    const auto by_elimination = exact_by_elimination(task), by_cones = exact_by_cones(task);
+    for (const ExactFivePoses& found : {by_elimination, by_cones}) {
+      EXPECT_EQ(std::count_if(found.real.begin(), found.real.end(),
+                              [&](const ExactDyad& dyad) {
+                                return dyad.rounded().moving.cross(a.normalized()).norm() < 1e-14 &&
+                                       dyad.rounded().fixed.cross(b.normalized()).norm() < 1e-14;
+                              }),
+                1)
+          << i;
+      EXPECT_EQ(exact_count(task), static_cast<int>(found.real.size())) << i;
+    }
+    EXPECT_EQ(EliminationOracle().solve(task).status, Status::exact) << i;
+  }
+}
+
+TEST(SphericalOracles, AnAxisInTwoPlacesHasInfinitelyManyPartners) {
+  const FivePoseTask task{Pose{1, 0, 0, 0}, {1, 0, 0, 1}, {2, 0, 0, 3}, {1, 2, 3, 4}, {-3, 5, 1, 5}};
+  EXPECT_FALSE(exact_count(task));
+  EXPECT_EQ(EliminationOracle().solve(task).status, Status::degenerate);
+  EXPECT_EQ(ConesOracle().solve(task).status, Status::degenerate);
+}
+
 TEST(SphericalOracles, InfinitelyManyDyadsAreNotCounted) {
   for (const char* name : {"equal_poses"}) {  // of the others rounding makes ordinary poses
     Random random(std::string("SphericalOracles.InfinitelyMany.") + name);

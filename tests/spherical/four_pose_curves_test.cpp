@@ -265,7 +265,7 @@ TEST(SphericalFourPoseCurves, HalfTurnsAreOrdinaryAndSymmetricSetsSplit) {
   const SphericalReport three = FourPoseSolver().solve(klein);
   EXPECT_EQ(three.message,
             "a curve of dyads: circle points and centre points, split into 3 great circles, in 1 component, proved; "
-            "infinitely many of them are sliders");
+            "the sliders among them are not decided");
   for (const CurveRecord& piece : three.curves)
     for (const std::vector<double>& a : piece.moving) EXPECT_LT(std::abs(a[0] * a[1] * a[2]), 1e-15);
   // mirror images of each other in pairs: a great circle and a cone

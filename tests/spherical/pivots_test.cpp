@@ -112,6 +112,28 @@ TEST(GivenAxes, PlacesOnAGreatCircleMakeASlider) {
   }
 }
 
+TEST(GivenAxes, TheRadiusOfASliderHoldsItsDeparture) {
+  const std::string stream = "GivenAxes.TheRadiusOfASliderHoldsItsDeparture";
+  SCOPED_TRACE(stream);
+  Random random(stream);
+  for (int i = 0; i < 50; ++i) {
+    const double departure = random.uniform(1e-11, 9e-10), arc = std::numbers::pi / 2 - departure;
+    const Axis a = Axis::UnitZ(), b = std::cos(arc) * a + std::sin(arc) * Axis::UnitX();
+    Poses poses(1);
+    for (int j = 0; j < 2; ++j) {  // a on its cone about b, then any turn about a's place
+      const Pose on = pose_from_axis_radians({b[0], b[1], b[2]}, random.uniform(-3, 3));
+      const Pose turn = pose_from_axis_radians({a[0], a[1], a[2]}, random.uniform(-3, 3));
+      poses.push_back(Space::pose(Space::product<double>(Space::point<double>(on), Space::point<double>(turn))));
+    }
+    const auto report = solve(poses, {}, {shown(a)});
+    ASSERT_EQ(report.dyads.size(), 1u);
+    const auto& found = report.dyads[0];
+    ASSERT_TRUE(std::holds_alternative<PR::Design>(found.design)) << i;
+    EXPECT_NEAR(found.departure.value(), departure, 1e-14 * (1 + *found.condition)) << i;
+    EXPECT_GE(found.certificate.radius, found.departure.value()) << i;
+  }
+}
+
 TEST(GivenAxes, AxesOfRotationAreNamed) {
   Random random("GivenAxes.AxesOfRotationAreNamed");
   const Poses poses{{}, pose_from_axis_degrees({0, 0, 1}, 90), pose_from_axis_degrees({1, 2, 2}, 40)};
