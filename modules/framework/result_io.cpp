@@ -62,8 +62,9 @@ json dyad_of(const DyadRecord& dyad, const Units& units, bool numbered = true) {
   if (dyad.condition && std::isfinite(*dyad.condition)) out["condition"] = *dyad.condition;
   put(out, "departure", dyad.departure);
   if (dyad.slider) {
-    out["slider"] = {{"type", dyad.slider->type}, {"departure", dyad.slider->departure}};
+    out["slider"]["type"] = dyad.slider->type;
     if (dyad.slider->line) out["slider"]["line"] = line_of(*dyad.slider->line, units);
+    out["slider"]["departure"] = dyad.slider->departure;
   }
   out["certificate"] = {{"certified", dyad.certificate.certified}};
   if (dyad.certificate.certified) out["certificate"]["radius"] = dyad.certificate.radius;
