@@ -1,5 +1,5 @@
-// The rank of a matrix of rationals, exact however small the entries: the pivots that NullSpace (null_space.hpp) reports
-// are doubles, and may be rounded to 0.
+// The rank of a matrix of rationals, exact however small the entries: the pivots that NullSpace (null_space.hpp)
+// reports are doubles, and may be rounded to 0.
 #pragma once
 
 #include "burmester/geometry/rational.hpp"

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <limits>
 #include <span>
-#include <vector>
 
 #include "burmester/geometry/correlations.hpp"
 #include "burmester/spherical/space.hpp"
@@ -17,6 +16,7 @@
 namespace burmester::spherical {
 
 /// A pose of the closest pair, the one nearer to the others: there the small rotation is seen at its own scale.
+/// Precondition: two to five poses.
 int reference_of(std::span<const Pose> poses);
 
 /// conj(a) b, from the difference of the two: what nearly equal poses have in common does not cancel.

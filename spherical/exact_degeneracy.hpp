@@ -1,5 +1,5 @@
-// Five orientations with infinitely many dyads: why, proved over rationals of the doubles as they are, and the dyad that
-// is in none of the families.
+// Five orientations with infinitely many dyads: why, proved over rationals of the doubles as they are, and the dyad
+// that is in none of the families.
 #pragma once
 
 #include <optional>

@@ -194,7 +194,7 @@ struct Shown {
 
 CertifiedAxes certified_axes(FivePoses poses, std::span<const AxisPair> found) {
   CertifiedAxes out;
-  out.reference = five_pose_equations(poses).reference;
+  out.reference = reference_of(poses);
   prove_by_intervals(poses, found, out);
   if (!out.complete) prove_exactly(poses, out);
   return out;
@@ -238,7 +238,7 @@ double error_bound(const Dyads::Design& shown, const AxesBox& box, const Pose& r
 }
 
 int count_by_intervals(FivePoses poses) {
-  const int reference = five_pose_equations(poses).reference;
+  const int reference = reference_of(poses);
   const UpwardRounding upward;
   return count_roots(bilinear_equations<Interval>(poses, reference));
 }

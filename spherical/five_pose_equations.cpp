@@ -6,6 +6,7 @@
 
 #include "burmester/geometry/error_free.hpp"
 #include "burmester/geometry/number.hpp"
+#include "burmester/spherical/equal_angles.hpp"
 
 namespace burmester::spherical {
 namespace {
@@ -53,25 +54,6 @@ Turn turn(const ImagePoint& p, ImagePoint q) {
   return {scale * c, scale * s};
 }
 
-/// Distance of two poses: 2 sin(angle/4), angle up to half a turn.
-double distance(const ImagePoint& p, const ImagePoint& q) {
-  const double plus = (p + q).squaredNorm(), minus = (p - q).squaredNorm();
-  return std::sqrt(std::min(plus, minus));
-}
-
-/// Of the closest pair the pose that is nearer to the others.
-int choose_reference(const std::array<ImagePoint, 5>& q) {
-  double least = 3, sum[5] = {};
-  int first = 0, second = 1;
-  for (int i = 0; i < 5; ++i)
-    for (int j = i + 1; j < 5; ++j) {
-      const double off = distance(q[i], q[j]);
-      sum[i] += off, sum[j] += off;
-      if (off < least) least = off, first = i, second = j;
-    }
-  return sum[first] <= sum[second] ? first : second;
-}
-
 /// Right-handed, third row along z.
 Matrix3 frame_along(const Vector3& z) {
   const Vector3 first = z.unitOrthogonal(), second = z.cross(first);
@@ -111,9 +93,7 @@ bool same_orientation(const Pose& a, const Pose& b) {
 
 FivePoseEquations five_pose_equations(FivePoses poses) {
   FivePoseEquations out;
-  std::array<ImagePoint, 5> unit;
-  for (std::size_t j = 0; j < 5; ++j) unit[j] = image(poses[j]).normalized();
-  out.reference = choose_reference(unit);
+  out.reference = reference_of(poses);
   std::array<Turn, 4> turns;
   double largest = 0;
   Vector3 z = Vector3::Zero();

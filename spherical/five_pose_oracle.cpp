@@ -58,8 +58,8 @@ IntegerQuaternion turn(const IntegerQuaternion& p, const IntegerQuaternion& q) {
   return out;
 }
 
-/// Moving axes are a = frame (x, 1, t): no axis of the coordinates is special. The first column is, a centre of projection:
-/// behind it dyads hide, so there is more than one frame.
+/// Moving axes are a = frame (x, 1, t): no axis of the coordinates is special. The first column is, a centre of
+/// projection: behind it dyads hide, so there is more than one frame.
 using Frame = std::array<std::array<int, 3>, 3>;
 constexpr std::array<Frame, 3> frames{{{{{3, 1, -2}, {1, 4, 1}, {-1, 2, 5}}},
                                        {{{1, -3, 7}, {5, 2, -1}, {2, 6, 3}}},

@@ -26,14 +26,14 @@ struct ExactDyad {
 };
 
 struct ExactFivePoses {
-  /// The polynomial whose real roots are the real dyads, primitive; zero: infinitely many dyads, or some of finitely many
-  /// that no frame tells apart.
+  /// The polynomial whose real roots are the real dyads, primitive; zero: infinitely many dyads, or some of finitely
+  /// many that no frame tells apart.
   IntegerPolynomial eliminant;
   std::vector<ExactDyad> real;
 };
 
-/// Preconditions of both: as for FivePoseSolver. Axes are projected from a fixed line, from another where a dyad lies in
-/// it, at infinity, or behind a second one; the eliminants of one projection agree up to sign.
+/// Preconditions of both: as for FivePoseSolver. Axes are projected from a fixed line, from another where a dyad lies
+/// in it, at infinity, or behind a second one; the eliminants of one projection agree up to sign.
 ExactFivePoses exact_by_elimination(FivePoses poses);
 ExactFivePoses exact_by_cones(FivePoses poses);
 

@@ -40,7 +40,8 @@ std::string name_degeneracy(FivePoseCase what, std::span<const Pose> poses) {
     case FivePoseCase::rank_deficient:
       return "the five orientations give fewer than four independent conditions: infinitely many dyads";
     default:
-      return "infinitely many dyads: the four conditions are independent, but share a curve of dyads";
+      return "infinitely many dyads: the four conditions are independent, but share a curve of dyads (any others are "
+             "not listed)";
   }
 }
 

@@ -80,8 +80,8 @@ TEST(SphericalReports, ExactDegeneraciesAreProved) {
   }
 }
 
-/// Three orientations about z, the other two with z in one place: z goes with a plane of axes, and with b = z one moving
-/// axis does, here in five digits from the two conditions of the other two.
+/// Three orientations about z, the other two with z in one place: z goes with a plane of axes, and with b = z one
+/// moving axis does, here in five digits from the two conditions of the other two.
 TEST(SphericalReports, TheDyadBesideAFamilyIsListedAndProved) {
   const FivePoseTask task{Pose{1, 0, 0, 0}, {1, 0, 0, 1}, {2, 0, 0, 3}, {1, 2, 3, 4}, {-3, 5, 1, 5}};
   FivePoseTask inverse = task;
@@ -102,6 +102,7 @@ TEST(SphericalReports, TheDyadBesideAFamilyIsListedAndProved) {
     EXPECT_TRUE(found.certificate.certified);
     EXPECT_LT(found.certificate.radius, 1e-14);
   }
+  EXPECT_THAT(FivePoseSolver{.certify = false}.solve(task).message, EndsWith("(any others are not listed)"));
 }
 
 /// Poses 1 and 4 are equal; 2 and 3 differ, by less than the rounding of unit quaternions.

@@ -60,7 +60,8 @@ TEST(SphericalOracles, TheirDyadsMeetTheExactPoses) {
   }
 }
 
-/// Small integers, found by search: six dyads of which two coincide; in the first frame two others lie behind each other.
+/// Small integers, found by search: six dyads of which two coincide; in the first frame two others lie behind each
+/// other.
 TEST(SphericalOracles, DyadsBehindTheLineOfProjectionAreSeenFromAnother) {
   const FivePoseTask double_dyad{Pose{1, 0, 0, 0}, {0, 1, 0, 1}, {0, 1, 5, 1}, {1, -1, -3, 1}, {1, -1, 0, -2}};
   const auto by_elimination = exact_by_elimination(double_dyad), by_cones = exact_by_cones(double_dyad);
