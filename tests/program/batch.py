@@ -57,7 +57,7 @@ class Batch(ProgramTest):
         self.assertEqual(answer.stderr.count(b"\n"), 1)
 
     def test_lines_that_this_version_cannot_answer(self):
-        unknown = {"geometry": "spherical", "poses": [{"axis": [0, 0, 1], "angle": 10 * i} for i in range(9)], "moving": [[1, 0, 0]]}
+        unknown = {"geometry": "planar", "poses": [[i * i, i, 10 * i] for i in range(6)]}
         answer = run("batch", text=lines_of([FIVE_POSES, unknown]))
         self.assertEqual(answer.returncode, 4)
         self.assertIn("not available yet: ", strict_json(answer.stdout.decode().splitlines()[1])["message"])
