@@ -1,5 +1,7 @@
 #include "burmester/planar/constraint_manifold.hpp"
 
+#include <limits>
+
 namespace burmester::planar {
 namespace {
 
@@ -101,6 +103,7 @@ double ConstraintManifold::distance(const Pose& pose) const {
 
 std::optional<double> ConstraintManifold::spacing(const Pose& pose) const {
   if (std::holds_alternative<PP::Design>(design_)) return std::nullopt;
+  if (pose.X4 == 0) return std::numeric_limits<double>::infinity();
   return distance(pose) * std::hypot(pose.X3, pose.X4) / (2 * std::abs(pose.X4));
 }
 

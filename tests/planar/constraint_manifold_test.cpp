@@ -228,6 +228,9 @@ TEST(ConstraintManifold, DistanceIsTheLeastShiftAndSpacingItsImage) {
   const ConstraintManifold m(RR::Design{{1, 0}, {0, 0}, 1});
   EXPECT_TRUE(std::isinf(*m.spacing(pose_from_degrees(5, 0, 180))));
   EXPECT_NEAR(m.distance(pose_from_degrees(5, 0, 180)), 3, 1e-15);
+  const ConstraintManifold met(RR::Design{{0, 0}, {1, 0}, 1});
+  EXPECT_EQ(met.distance(pose_from_degrees(0, 0, 180)), 0);
+  EXPECT_TRUE(std::isinf(*met.spacing(pose_from_degrees(0, 0, 180))));
 }
 
 }  // namespace
