@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "burmester/geometry/partners_about.hpp"
 #include "burmester/geometry/range.hpp"
 
 namespace burmester {
@@ -258,30 +259,7 @@ class Tracer {
 
   /// As Chart::extent, of the partners of a box: no matter how long it is where all of them are one point.
   double partner_extent(const Sample& x, const Sample& y, const Box& p) const {
-    return chart_.extent(partners_about(x.track[1].at, p), x.track[1].at, y.track[1].at);
-  }
-  /// The partners of the points of a box, from two sums of the correlations whose lines of partners pass c as near as
-  /// they can, in a basis with c in it. Zero where they cannot be told.
-  Box partners_about(const Point& c, const Box& p) const {
-    std::array<Vector<double, 3>, 3> misses;  // N c: how far the lines of partners pass c
-    for (std::size_t j = 0; j < 3; ++j) misses[j] = partner_->approximate[j] * c;
-    std::size_t widest = 0;
-    for (std::size_t j = 1; j < 3; ++j)
-      if (misses[j].norm() > misses[widest].norm()) widest = j;
-    Eigen::Index k = 0;
-    c.cwiseAbs().maxCoeff(&k);
-    std::array<Correlation<Interval>, 2> n;
-    for (std::size_t j = 0; j < 2; ++j) {
-      const std::size_t from = (widest + 1 + j) % 3;
-      const double share = misses[from].dot(misses[widest]) / misses[widest].squaredNorm();
-      for (int i = 0; i < 9; ++i) n[j](i) = partner_->enclosing[from](i) - share * partner_->enclosing[widest](i);
-      for (int i = 0; i < 3; ++i) n[j](i, k) = n[j](i, 0) * c[0] + n[j](i, 1) * c[1] + n[j](i, 2) * c[2];
-    }
-    const Box seen = partner<Interval>(n, p);
-    Box out{Interval(0), Interval(0), Interval(0)};
-    if (contains_zero(seen[k])) return out;
-    for (int i = 0; i < 3; ++i) out[i] = i == k ? Interval(c[i]) : Interval(seen[i] / seen[k] + c[i]);
-    return out;
+    return chart_.extent(partners_about(*partner_, x.track[1].at, p), x.track[1].at, y.track[1].at);
   }
 
   bool left_out(const Sample& x, const Sample& y, double from, double to, int sheet) const {

@@ -3,6 +3,7 @@
 #include "burmester/geometry/real_roots.hpp"
 #include "burmester/planar/equidistance.hpp"
 #include "burmester/planar/five_pose_solver.hpp"
+#include "burmester/planar/poles.hpp"
 
 namespace burmester::planar {
 namespace {
@@ -47,10 +48,10 @@ P without_root(const P& p, const Point& point) {
 
 /// Where the pole of poses 2 and 3 lies on the body, as p is given: seen from pose 1.
 Point pole_23(FivePoses poses, double per_length) {
-  const Point pole = vertex(equidistance<Rational>(poses[1], poses[2], per_length));  // in the directions of pose 2
-  const auto [s, c] = relative_turn<Rational>(poses[0], poses[1]);
-  const Rational cosine = c * c - s * s, sine = 2 * s * c;
-  return {cosine * pole[0] + sine * pole[1], cosine * pole[1] - sine * pole[0], (c * c + s * s) * pole[2]};
+  const Point pole = moving_pole<Rational>(poses[1], poses[2]);
+  const Rational s(poses[0].X3), c(poses[0].X4), unit(per_length);
+  const Rational cosine = unit * (c * c - s * s), sine = unit * 2 * s * c;
+  return {cosine * pole[0] - sine * pole[1], sine * pole[0] + cosine * pole[1], (c * c + s * s) * pole[2]};
 }
 
 Vector2 shown(const Point& p) { return {approximate(Rational(p[0] / p[2])), approximate(Rational(p[1] / p[2]))}; }

@@ -10,6 +10,7 @@
 #include "burmester/planar/classify.hpp"
 #include "burmester/planar/drawing/stage.hpp"
 #include "burmester/planar/enclosed_pair.hpp"
+#include "burmester/planar/poles.hpp"
 
 namespace burmester::planar {
 namespace {
@@ -196,9 +197,9 @@ std::optional<PoleRecord> Pivots::pole_of(const Pose& from, const Pose& to) {
     return out;
   }
   const auto [s, c] = relative_turn<double>(from, to);
-  const Point2<double> pole = vertex<double>(equidistance<double>(from, to, 1).transpose());
-  const Vector2 seen = pole.head<2>() / pole[2], fixed = seen + Vector2(from.x, from.y);
-  const Vector2 moving = to_moving({0, 0, from.X3, from.X4}, seen);
+  const Pose near{0, 0, from.X3, from.X4}, next{way[0], way[1], to.X3, to.X4};  // seen from the first origin
+  const Point2<double> pole = relative_pole(near, next), body = moving_pole(near, next);
+  const Vector2 fixed = pole.head<2>() / pole[2] + Vector2(from.x, from.y), moving = body.head<2>() / body[2];
   out.angle = 2 * std::atan2(c < 0 ? -s : s, std::abs(c));
   out.fixed = {fixed[0], fixed[1]}, out.moving = {moving[0], moving[1]};
   return out;

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "burmester/planar/dyad_form.hpp"
-#include "burmester/planar/equidistance.hpp"
+#include "burmester/planar/poles.hpp"
 
 namespace burmester::planar {
 namespace {
@@ -132,8 +132,8 @@ class Plates {
   void add_poles(Sheet& sheet) const {
     for (std::size_t i = 0; i < 4; ++i)
       for (std::size_t j = i + 1; j < 4; ++j) {
-        const Point2<double> p = vertex(equidistance<double>(poses_[i], poses_[j], 1 / size_));
-        const Vector2 pole = size_ / p[2] * Vector2(p[0], p[1]) + Vector2(poses_[i].x, poses_[i].y);
+        const Point2<double> p = relative_pole(poses_[i], poses_[j]);
+        const Vector2 pole = p.head<2>() / p[2];
         if (!pole.allFinite()) continue;  // of a translation
         sheet.add("pole", fmt::format("P{}{}", i + 1, j + 1), {pair_of(pole)});
         if (near(pole)) sheet.show(pair_of(pole));
