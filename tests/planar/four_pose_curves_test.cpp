@@ -10,6 +10,7 @@
 
 #include "burmester/geometry/curve_analysis.hpp"
 #include "burmester/planar/five_pose_solver.hpp"
+#include "cgal_leaks.hpp"
 #include "four_poses.hpp"
 
 namespace burmester::planar {
