@@ -60,7 +60,7 @@ struct TraceOptions {
   double tolerance = 1e-4;    ///< largest max_error: a length, on the sphere an angle in radians
   double longest = 0.25;      ///< longest chord, in the same unit
   double window = 10;         ///< in the plane: |x| and |y| up to this, of partners too
-  int most_samples = 100000;  ///< for each branch or arc; pieces end where more would be needed
+  int most_samples = 100000;  ///< for each arc, or passage of a branch; pieces end where more would be needed
 };
 /// Throws std::invalid_argument for options that are not positive.
 inline void check(const TraceOptions& options) {

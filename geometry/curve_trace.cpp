@@ -128,6 +128,7 @@ class Tracer {
       for (int k = 0; k < first_chords; ++k) {
         const double from = start_of(passage) * (1 - 2.0 * k / first_chords),
                      to = start_of(passage) * (1 - 2.0 * (k + 1) / first_chords);
+        most_ = samples_ + options_.most_samples / first_chords;  // what one place takes is not missing elsewhere
         const bool last = k + 1 == first_chords && &passage == &branch.passages.back();
         at = follow(at, last ? first : sample(to, passage.sheet), from, to, passage.sheet, 0);
       }
@@ -182,7 +183,7 @@ class Tracer {
       return interrupt(y);
     }
     const double step = (to - from) / parts;
-    if (depth == deepest || samples_ > options_.most_samples || from + step == from || to - step == to) {
+    if (depth == deepest || samples_ > most_ || from + step == from || to - step == to) {
       complete_ = false;
       return interrupt(y);
     }
@@ -349,7 +350,7 @@ class Tracer {
   std::array<Sample, 2> references_;
   std::vector<CurvePiece> pieces_;
   bool unbroken_ = true, connected_ = false, on_branch_ = false, complete_ = true;
-  int samples_ = 0;
+  int samples_ = 0, most_ = 0;
 };
 
 template <class Chart>

@@ -1,6 +1,7 @@
 #include "burmester/geometry/paired_curves.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -39,6 +40,15 @@ CubicBranches branches_of(const DecidingCorrelations& correlations) {
   return branches_by_rationals(correlations);
 }
 
+/// A passage of length 20 that bends like the unit circle takes 20 / sqrt(8 tolerance) chords; ten times as many, and it
+/// stands still: where the curve nearly splits in two, a partner may run along a line while its point moves by less
+/// than doubles tell.
+TraceOptions limited(TraceOptions options) {
+  check(options);
+  options.most_samples = static_cast<int>(std::min<double>(options.most_samples, 70 / std::sqrt(options.tolerance)));
+  return options;
+}
+
 }  // namespace
 
 PairedCurves paired_curves(const DecidingCorrelations& correlations, TraceCurve trace, const TraceOptions& options) {
@@ -47,7 +57,7 @@ PairedCurves paired_curves(const DecidingCorrelations& correlations, TraceCurve 
   if (branches.topology.rung == Rung::none) return out;
   const UpwardRounding upward;
   const auto n = correlations.intervals();
-  out.traced = trace(branches, tube_curve(points_with_partner(n)), partner_curve(n), options);
+  out.traced = trace(branches, tube_curve(points_with_partner(n)), partner_curve(n), limited(options));
   return out;
 }
 

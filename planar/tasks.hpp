@@ -8,18 +8,14 @@
 #include <string_view>
 #include <vector>
 
-#include "burmester/geometry/random.hpp"
+#include "burmester/modules/framework/task_class.hpp"
 #include "burmester/planar/pose.hpp"
 
 namespace burmester::planar {
 
 using FivePoseTask = std::array<Pose, 5>;
 
-struct TaskClass {
-  std::string_view name;
-  std::string_view what;  ///< one line for people
-  FivePoseTask (*make)(Random&);
-};
+using TaskClass = TaskClassOf<FivePoseTask>;
 
 /// Tasks with finitely many dyads.
 const std::vector<TaskClass>& random_task_classes();

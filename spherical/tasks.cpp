@@ -159,10 +159,7 @@ const std::vector<TaskClass>& degenerate_task_classes() {
 }
 
 const TaskClass* find_task_class(std::string_view name) {
-  for (const auto* list : {&random_task_classes(), &degenerate_task_classes()})
-    for (const TaskClass& c : *list)
-      if (c.name == name) return &c;
-  return nullptr;
+  return find_class<FivePoseTask>(name, {&random_task_classes(), &degenerate_task_classes()});
 }
 
 }  // namespace burmester::spherical

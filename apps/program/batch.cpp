@@ -30,8 +30,8 @@ struct Reply {
 };
 
 Reply failure(int code, std::size_t number, std::string message) {
-  const std::string place = fmt::format("line {}", number), twice = place + ": line 1, column";
-  if (message.starts_with(twice)) message = place + ", column" + message.substr(twice.size());
+  const std::string place = fmt::format("line {}", number), twice = place + ": line 1";  // a line is its only one
+  if (message.starts_with(twice)) message = place + message.substr(twice.size());
   return {code, json_line({{"status", "error"}, {"message", message}, {"line", number}}), ""};
 }
 

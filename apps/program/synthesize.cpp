@@ -83,6 +83,15 @@ void write_folder(const OutputFolder& folder, const Module& module, const Proble
   folder.write("report.html", report_page(document, drawing));
 }
 
+/// Modules do not know the file.
+Synthesis answer_of(const Module& module, const Problem& problem, const std::string& file) {
+  try {
+    return module.synthesize(problem);
+  } catch (const InputError& error) {
+    throw InputError(file + ": " + error.what());
+  }
+}
+
 int synthesize(const Request& request, Program& program) {
   Console& console = program.console;
   const std::string name = shown_name(request.problem);
@@ -94,7 +103,7 @@ int synthesize(const Request& request, Program& program) {
   std::optional<OutputFolder> folder;
   if (!request.folder.empty()) folder.emplace(request.folder);
 
-  const Synthesis answer = listed(module.synthesize(problem), problem.types);
+  const Synthesis answer = listed(answer_of(module, problem, name), problem.types);
   const nlohmann::ordered_json document = result_document(module, problem, answer);
   if (folder) write_folder(*folder, module, problem, answer, document);
   for (const auto& warning : document["warnings"])

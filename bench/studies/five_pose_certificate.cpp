@@ -9,23 +9,17 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <ctime>
 #include <thread>
 
 #include "burmester/planar/five_pose_certificate.hpp"
 #include "burmester/planar/five_pose_solver.hpp"
 #include "burmester/planar/tasks.hpp"
+#include "thread_time.hpp"
 
 namespace {
 
 using namespace burmester;
 using namespace burmester::planar;
-
-double thread_time() {
-  timespec t;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) * 1e6 + static_cast<double>(t.tv_nsec) * 1e-3;
-}
 
 struct Outcome {
   long tasks = 0, uncertified = 0, count_exact = 0, boxes_exact = 0;

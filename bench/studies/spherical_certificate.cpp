@@ -8,24 +8,18 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <ctime>
 
 #include "burmester/spherical/five_pose_certificate.hpp"
 #include "burmester/spherical/five_pose_oracle.hpp"
 #include "burmester/spherical/five_pose_roots.hpp"
 #include "burmester/spherical/five_pose_solver.hpp"
 #include "burmester/spherical/tasks.hpp"
+#include "thread_time.hpp"
 
 namespace {
 
 using namespace burmester;
 using namespace burmester::spherical;
-
-double thread_time() {
-  timespec t;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) * 1e6 + static_cast<double>(t.tv_nsec) * 1e-3;
-}
 
 struct Outcome {
   long tasks = 0, uncertified = 0, wrong = 0, by_intervals = 0;

@@ -68,6 +68,8 @@ Report<List> curve_report(FourPoseCurves curves, const CurveWords& words) {
   if (curves.topology.isolated > 0)
     report.warnings.push_back("a component of the circle-point curve is a single point and is not listed");
   if (!curves.complete) report.warnings.push_back("a part of the curves could not be proved and is not listed");
+  if (curves.complete && report.curves.empty())
+    report.warnings.push_back("no part of the curves with both pivots is in the window that is listed");
   return report;
 }
 

@@ -51,7 +51,7 @@ class Plates {
   Plate curves(const std::vector<CurveRecord>& curves, const std::vector<CandidateRecord>& candidates) const {
     Sheet sheet(
         "curves", "Circle points and centre points",
-        "circles: circle points, body in pose 1; stars: centre points; squares: poles; gaps: the partner is far away");
+        "circles: circle points (body in pose 1); stars: centre points; squares: poles");
     for (const CurveRecord& c : curves) {
       Polyline moving, fixed;
       for (const auto& m : c.moving) moving.push_back(pair_of(to_fixed(poses_[0], vector_of(m))));

@@ -6,6 +6,7 @@
 
 #include "burmester/spherical/five_pose_solver.hpp"
 #include "five_orientations.hpp"
+#include "spherical_examples.hpp"
 
 namespace burmester::spherical {
 namespace {
@@ -80,12 +81,7 @@ TEST(Published, AngelesBaiExample2) {
 
 // The same poses moved by about 0.01 deg onto the linkage of the second and the fourth dyad: the slider is one.
 TEST(Published, AngelesBaiExample2MadeExact) {
-  const std::array<Pose, 5> poses{
-      Pose{},
-      pose_from_axis_radians({-0.22879137954403705, -0.4556458041229146, -0.8602565930183382}, 0.25631959834509277),
-      pose_from_axis_radians({-0.0577896395145427, 0.2370181386939884, -0.9697849037259842}, 1.1306901368645705),
-      pose_from_axis_radians({0.5049213940224437, 0.8505820406369593, -0.14684882704433916}, 1.1939352063107442),
-      pose_from_axis_radians({0.7119539995541221, 0.6601909263873552, 0.23931034920097974}, 1.3667696515817636)};
+  const std::vector<Pose> poses = testing::angeles_bai_2_exact().poses;
   const SphericalReport report = FivePoseSolver().solve(poses);
   ASSERT_EQ(report.dyads.size(), 4u);
   const auto& slider = report.dyads.back();  // sorted: RR before PR

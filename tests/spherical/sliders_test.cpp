@@ -9,6 +9,7 @@
 
 #include "burmester/modules/framework/search.hpp"
 #include "burmester/spherical/four_pose_curves.hpp"
+#include "spherical_examples.hpp"
 
 namespace burmester::spherical {
 namespace {
@@ -129,12 +130,7 @@ TEST(SphericalSliders, OfHalfTurnsAboutThreeAxesAreInfinitelyMany) {
 /// Example 2 of J. Angeles, S. Bai, "A robust solution of the spherical Burmester problem": its five attitudes moved by
 /// about 0.01 deg onto a linkage with the slider below. Any four of them have it.
 TEST(SphericalSliders, HoldTheOneOfExampleTwo) {
-  const std::array<Pose, 5> poses{
-      Pose{},
-      pose_from_axis_radians({-0.22879137954403705, -0.4556458041229146, -0.8602565930183382}, 0.25631959834509277),
-      pose_from_axis_radians({-0.0577896395145427, 0.2370181386939884, -0.9697849037259842}, 1.1306901368645705),
-      pose_from_axis_radians({0.5049213940224437, 0.8505820406369593, -0.14684882704433916}, 1.1939352063107442),
-      pose_from_axis_radians({0.7119539995541221, 0.6601909263873552, 0.23931034920097974}, 1.3667696515817636)};
+  const std::vector<Pose> poses = testing::angeles_bai_2_exact().poses;
   const PR::Design published{{0.5221393938323564, 0.8442635990986221, -0.12078670723809137},
                              {0.06550500280810398, 0.10150775244309242, 0.9926758135469315}};
   for (std::size_t left_out = 0; left_out < 5; ++left_out) {
