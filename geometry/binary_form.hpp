@@ -38,15 +38,17 @@ struct BinaryForm {
 
   std::vector<T> coefficients() const { return {c.begin(), c.begin() + static_cast<std::ptrdiff_t>(degree) + 1}; }
 
-  T operator()(const T& u0, const T& u1) const {
-    T value = c[0], power = u1;
+  T operator()(const T& u0, const T& u1) const { return (*this)(Point1<T>(u0, u1)); }
+  /// X: T, or a type that T converts to.
+  template <class X>
+  X operator()(const Point1<X>& u) const {
+    X value(c[0]), power = u[1];
     for (std::size_t k = 1; k <= degree; ++k) {
-      value = value * u0 + c[k] * power;
-      if (k < degree) power = power * u1;
+      value = value * u[0] + X(c[k]) * power;
+      if (k < degree) power = power * u[1];
     }
     return value;
   }
-  T operator()(const Point1<T>& u) const { return (*this)(u[0], u[1]); }
   /// Known to be zero in every coefficient.
   bool is_zero() const {
     for (std::size_t k = 0; k <= degree; ++k)
@@ -76,15 +78,23 @@ struct BinaryForm {
 
   /// f / vanishing_at(u) for a root u of f; the remainder is dropped. In the direction in which roundings do not grow.
   BinaryForm divided_by_root(const Point1<T>& u) const {
+    return std::abs(approximate(u[0])) >= std::abs(approximate(u[1])) ? divided_from_last(u) : divided_from_first(u);
+  }
+  /// The same, c[0] first: small first coefficients keep their relative accuracy. Precondition: u[1] is not 0.
+  BinaryForm divided_from_first(const Point1<T>& u) const {
     BinaryForm q;
     q.degree = degree - 1;
-    if (std::abs(approximate(u[0])) >= std::abs(approximate(u[1]))) {
-      q.c[degree - 1] = -c[degree] / u[0];
-      for (std::size_t k = degree - 1; k > 0; --k) q.c[k - 1] = (u[1] * q.c[k] - c[k]) / u[0];
-    } else {
-      q.c[0] = c[0] / u[1];
-      for (std::size_t k = 1; k < degree; ++k) q.c[k] = (c[k] + u[0] * q.c[k - 1]) / u[1];
-    }
+    q.c[0] = c[0] / u[1];
+    for (std::size_t k = 1; k < degree; ++k) q.c[k] = (c[k] + u[0] * q.c[k - 1]) / u[1];
+    return q;
+  }
+
+ private:
+  BinaryForm divided_from_last(const Point1<T>& u) const {
+    BinaryForm q;
+    q.degree = degree - 1;
+    q.c[degree - 1] = -c[degree] / u[0];
+    for (std::size_t k = degree - 1; k > 0; --k) q.c[k - 1] = (u[1] * q.c[k] - c[k]) / u[0];
     return q;
   }
 };

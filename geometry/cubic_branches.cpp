@@ -6,25 +6,33 @@
 
 #include "burmester/geometry/cubic_scene.hpp"
 #include "burmester/geometry/enclosure.hpp"
+#include "burmester/geometry/jet.hpp"
 #include "burmester/geometry/range.hpp"
 
 namespace burmester {
 namespace {
 
-using detail::positive_root;
+using detail::CubicScene, detail::positive_root;
 
-Interval positive_root(const Interval& x) { return CGAL::sqrt(Interval(std::max(0.0, x.inf()), std::max(0.0, x.sup()))); }
+Interval positive_root(const Interval& x) {
+  return CGAL::sqrt(Interval(std::max(0.0, x.inf()), std::max(0.0, x.sup())));
+}
+
+Jet<Interval, 1> positive_root(const Jet<Interval, 1>& x) {
+  const Interval root = positive_root(x.value);
+  return {root, x.slope / (2 * root)};
+}
 
 /// The branches of a scene.
 class Builder {
  public:
-  explicit Builder(const detail::CubicScene& scene) : s_(scene) {
+  explicit Builder(const CubicScene& scene) : s_(scene) {
     for (const auto& root : s_.roots)
       if (root.multiplicity % 2 == 1) turning_.push_back(&root);
     for (std::size_t k = 0; k < turning_.size(); ++k) {
       if (turning_[k]->sign_behind <= 0) continue;
       const bool last = k + 1 == turning_.size();  // the roots are oriented one after the other; once round, u is -u
-      add_between(turning_[k]->at, last ? Point1<Interval>(-turning_[0]->at) : turning_[k + 1]->at);
+      add_between(*turning_[k], *turning_[last ? 0 : k + 1], last);
     }
     if (turning_.empty()) add_unbroken(s_.roots.empty() ? s_.sign : s_.roots[0].sign_behind);
     if (s_.line) add_line();
@@ -36,8 +44,9 @@ class Builder {
     BranchForms<Interval> f;
     f.base = s_.pencil.base, f.i = s_.pencil.i, f.j = s_.pencil.j;
     f.a = s_.pencil.a, f.b = s_.pencil.b, f.c = s_.pencil.c;
-    f.factor = s_.factor, f.under_root = s_.rest;
+    f.factor = s_.factor, f.under_root = s_.rest, f.dips = s_.dips;
     f.u.fill({Interval(0), Interval(0)});
+    f.turn.fill(Interval(0));
     return f;
   }
 
@@ -45,10 +54,12 @@ class Builder {
     BranchForms<double> a;
     for (int k = 0; k < 3; ++k)
       a.base[k] = approximate(f.base[k]),
-      a.u[static_cast<std::size_t>(k)] = detail::middle(f.u[static_cast<std::size_t>(k)]);
+      a.u[static_cast<std::size_t>(k)] = detail::middle(f.u[static_cast<std::size_t>(k)]),
+      a.turn[static_cast<std::size_t>(k)] = detail::middle(f.turn[static_cast<std::size_t>(k)]);
     a.i = f.i, a.j = f.j, a.turns = f.turns, a.line = f.line;
     a.a = detail::middle(f.a), a.b = detail::middle(f.b), a.c = detail::middle(f.c);
     a.factor = detail::middle(f.factor), a.under_root = detail::middle(f.under_root);
+    for (const LocalForm<Interval>& dip : f.dips) a.dips.push_back({dip.from, detail::middle(dip.form)});
     out_.push_back({static_cast<int>(out_.size()), std::move(passages), a, f});
   }
 
@@ -58,6 +69,7 @@ class Builder {
     BranchForms<Interval> f = forms();
     f.u = {Point1<Interval>(Interval(1), Interval(0)), Point1<Interval>(Interval(0), Interval(2)),
            Point1<Interval>(Interval(-1), Interval(0))};
+    f.turn = {Interval(2), Interval(0), Interval(2)};
     if (sign == 0) return add(f, {{1, false}});  // a double line
     // After one turn u is -u, and the root keeps or changes its sign against B: the sheets change places or do not.
     if ((f.a.degree + f.factor.degree) % 2 == 0) return add(f, {{1, false}, {-1, false}});
@@ -65,16 +77,37 @@ class Builder {
     add(f, {{-1, false}});
   }
 
-  void add_between(const Point1<Interval>& a, const Point1<Interval>& b) {
+  /// a + b, b - a and the determinant of (b, a): small where a and b nearly are the same or opposite.
+  struct Ends {
+    Point1<Interval> sum, difference;
+    Interval across;
+  };
+  static Ends ends_of(const CubicScene::Root& from, const CubicScene::Root& to, bool once_round) {
+    if (!from.refined || !to.refined) {
+      const Point1<Interval> a = from.at, b = once_round ? Point1<Interval>(-to.at) : to.at;
+      return {a + b, b - a, a[1] * b[0] - a[0] * b[1]};
+    }
+    const auto& a = *from.refined;
+    auto b = *to.refined;
+    if (once_round) b = {-b[0], -b[1]};
+    return {{enclosure(a[0] + b[0]), enclosure(a[1] + b[1])},
+            {enclosure(b[0] - a[0]), enclosure(b[1] - a[1])},
+            enclosure(a[1] * b[0] - a[0] * b[1])};
+  }
+
+  void add_between(const CubicScene::Root& from, const CubicScene::Root& to, bool once_round) {
     BranchForms<Interval> f = forms();
-    const Point1<Interval> sum = a + b;
-    f.u = {sum, Point1<Interval>((b[0] - a[0]) * 2, (b[1] - a[1]) * 2), sum};
+    const Ends ends = ends_of(from, to, once_round);
+    f.u = {ends.sum, Point1<Interval>(ends.difference[0] * 2, ends.difference[1] * 2), ends.sum};
+    f.turn = {-4 * ends.across, Interval(0), 4 * ends.across};
     // G = l_a l_b E with l_a(u(s)) = (1 + s)^2 l_a(b) and l_b(u(s)) = -(1 - s)^2 l_a(b), so H = -l_a(b)^2 E.
-    const Interval across = a[1] * b[0] - a[0] * b[1];
-    f.under_root =
-        BinaryForm<Interval>::constant(-CGAL::square(across)) * f.under_root.divided_by_root(a).divided_by_root(b);
+    const auto factor = BinaryForm<Interval>::constant(-CGAL::square(ends.across));
+    const Point1<Interval> a = from.at, b = once_round ? Point1<Interval>(-to.at) : to.at;
+    f.under_root = factor * f.under_root.divided_by_root(a).divided_by_root(b);
+    for (const Point1<Interval>& end : {a, b}) detail::divide_by_root(f.dips, end);
+    for (LocalForm<Interval>& dip : f.dips) dip.form = factor * dip.form;
     f.turns = true;
-    if (contains_zero(across)) return add(f, {});  // doubles cannot tell a from b: counted, but not parametrised
+    if (contains_zero(ends.across)) return add(f, {});  // cannot tell a from b: counted, but not parametrised
     add(f, {{1, false}, {-1, true}});
   }
 
@@ -85,8 +118,8 @@ class Builder {
     add(f, {{1, false}});
   }
 
-  const detail::CubicScene& s_;
-  std::vector<const detail::CubicScene::Root*> turning_;
+  const CubicScene& s_;
+  std::vector<const CubicScene::Root*> turning_;
   std::vector<CubicBranch> out_;
 };
 
@@ -105,7 +138,7 @@ void count_components(CubicBranches& out) {
   t.ovals = joined ? 0 : branches - 1;
 }
 
-CubicBranches branches_of(const detail::CubicScene& scene, std::vector<PointAtInfinity> at_infinity, Rung rung) {
+CubicBranches branches_of(const CubicScene& scene, std::vector<PointAtInfinity> at_infinity, Rung rung) {
   CubicBranches out{detail::singular_points_and_factors(scene), Builder(scene).result()};
   out.topology.rung = rung;
   out.topology.at_infinity = std::move(at_infinity);
@@ -117,26 +150,46 @@ CubicBranches branches_of(const detail::CubicScene& scene, std::vector<PointAtIn
 
 template <class T>
 Point2<T> BranchForms<T>::operator()(const T& s, int sheet) const {
-  const auto q = [this](const Point1<T>& at, const T& scale) {
-    Point2<T> out(T(0), T(0), T(0));
-    out[i] = scale * at[0], out[j] = scale * at[1];
-    return out;
-  };
-  const T rest = T(1) - s * s;
-  if (line) return rest * base + q(u[0], T(2) * s);
-  const Point1<T> at(T(u[0][0] + s * (u[1][0] + s * u[2][0])), T(u[0][1] + s * (u[1][1] + s * u[2][1])));
-  T root = factor(at) * positive_root(under_root(at));
+  if (line) return on_line(s);
+  const Point1<T> u_of_s(T(u[0][0] + s * (u[1][0] + s * u[2][0])), T(u[0][1] + s * (u[1][1] + s * u[2][1])));
+  return on_sheet(u_of_s, T(T(1) - s * s), sheet);
+}
+
+template <class T>
+template <class X>
+Point2<X> BranchForms<T>::on_line(const X& s) const {
+  return sum(X(X(1) - s * s), Point1<X>(X(u[0][0]), X(u[0][1])), X(X(2) * s));
+}
+
+template <class T>
+template <class X>
+Point2<X> BranchForms<T>::on_sheet(const Point1<X>& q, const X& rest, int sheet) const {
+  const LocalForm<T>* dip = nullptr;
+  for (const LocalForm<T>& each : dips)
+    if (each.is_near(q) && (!dip || each.distance(q) < dip->distance(q))) dip = &each;
+  X root = factor(q) * positive_root(dip ? (*dip)(q) : under_root(q));
   if (turns) root = root * rest;
   if (sheet < 0) root = -root;
   // Two vectors of the same direction, of which one may vanish.
-  const T twice_a = T(2) * a(at), twice_c = T(2) * c(at), minus_b = -b(at), plus = minus_b + root,
-          minus = minus_b - root;
-  const auto size = [](const T& x) { return std::abs(approximate(x)); };
-  if (size(plus) + size(twice_a) >= size(twice_c) + size(minus)) return plus * base + q(at, twice_a);
-  return twice_c * base + q(at, minus);
+  const X twice_a = X(2) * a(q), twice_c = X(2) * c(q), minus_b = -b(q), plus = minus_b + root, minus = minus_b - root;
+  const auto size = [](const X& x) { return std::abs(approximate(x)); };
+  if (size(plus) + size(twice_a) >= size(twice_c) + size(minus)) return sum(plus, q, twice_a);
+  return sum(twice_c, q, minus);
 }
+
+template <class T>
+template <class X>
+Point2<X> BranchForms<T>::sum(const X& p, const Point1<X>& along, const X& q) const {
+  Point2<X> out(p * X(base[0]), p * X(base[1]), p * X(base[2]));
+  out[i] += q * along[0], out[j] += q * along[1];
+  return out;
+}
+
 template struct BranchForms<double>;
 template struct BranchForms<Interval>;
+using Moving = Jet<Interval, 1>;
+template Point2<Moving> BranchForms<Interval>::on_line(const Moving&) const;
+template Point2<Moving> BranchForms<Interval>::on_sheet(const Point1<Moving>&, const Moving&, int) const;
 
 std::optional<CubicBranches> branches_by_intervals(const Cubic<Interval>& f, const Point2<Interval>& on_curve) {
   const auto scene = detail::cubic_scene(f, on_curve);

@@ -16,6 +16,7 @@
 #include "burmester/geometry/cubic_pencil.hpp"
 #include "burmester/geometry/curve.hpp"
 #include "burmester/geometry/interval.hpp"
+#include "burmester/geometry/local_form.hpp"
 #include "burmester/geometry/rational.hpp"
 
 namespace burmester {
@@ -27,11 +28,24 @@ struct BranchForms {
   int i = 0, j = 1;
   BinaryForm<T> a, b, c;             ///< of degree n, n + 1, n + 2
   BinaryForm<T> factor, under_root;  ///< S and G, or S and H
+  std::vector<LocalForm<T>> dips;    ///< under_root where it nearly vanishes twice: the curve nearly meets itself
   std::array<Point1<T>, 3> u;        ///< u(s) = u[0] + u[1] s + u[2] s^2
+  std::array<T, 3> turn;             ///< the same for u0 u1' - u1 u0', exact where u nearly stands still
   bool turns = false;                ///< the sheets meet at s = -1 and s = 1
   bool line = false;                 ///< a line through the base: X = (1 - s^2) P + 2 s q(u[0])
 
   Point2<T> operator()(const T& s, int sheet) const;
+  /// X: T or, over intervals, a jet of them. To the line:
+  template <class X>
+  Point2<X> on_line(const X& s) const;
+  /// Elsewhere: u(s) and 1 - s^2, both over the same positive number.
+  template <class X>
+  Point2<X> on_sheet(const Point1<X>& u_of_s, const X& rest, int sheet) const;
+
+ private:
+  /// p P + q (along[0] Qi + along[1] Qj)
+  template <class X>
+  Point2<X> sum(const X& p, const Point1<X>& along, const X& q) const;
 };
 
 /// A closed branch: up to two passages over -1 <= s <= 1, each on one sheet.

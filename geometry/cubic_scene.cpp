@@ -26,7 +26,9 @@ void orient(std::vector<CubicScene::Root>& roots) {
   for (std::size_t k = 1; k < roots.size(); ++k) {
     const Point1<double> a = middle(roots[k - 1].at), b = middle(roots[k].at);
     const double across = a[0] * b[1] - a[1] * b[0];
-    if (across < 0 || (across == 0 && a.dot(b) < 0)) roots[k].at = -roots[k].at;
+    if (across > 0 || (across == 0 && a.dot(b) >= 0)) continue;
+    roots[k].at = -roots[k].at;
+    if (auto& x = roots[k].refined) *x = {-(*x)[0], -(*x)[1]};
   }
 }
 
@@ -59,7 +61,7 @@ std::optional<int> sign_in_widest_gap(const BinaryForm<Interval>& d, const std::
     if (k + 1 == roots.size()) b = -b;  // once round
     if (const double width = (a - b).norm(); width > widest) widest = width, gap = k, best = a + b;
   }
-  return known_sign(d({Interval(best[0]), Interval(best[1])}));
+  return known_sign(d(Interval(best[0]), Interval(best[1])));
 }
 
 /// D = S^2 G from the multiplicities of its roots.
@@ -69,7 +71,10 @@ void split_discriminant(CubicScene& scene) {
   for (const CubicScene::Root& root : scene.roots)
     for (int k = 1; k < root.multiplicity; k += 2) {
       scene.factor = scene.factor * BinaryForm<Interval>::vanishing_at(root.at);
-      scene.rest = scene.rest.divided_by_root(root.at).divided_by_root(root.at);
+      for (int twice = 0; twice < 2; ++twice) {
+        scene.rest = scene.rest.divided_by_root(root.at);
+        divide_by_root(scene.dips, root.at);
+      }
     }
 }
 
@@ -81,6 +86,7 @@ void split_exactly(const BinaryForm<Rational>& d, CubicScene& scene) {
     return;
   }
   if (d.degree < 4 || quartic_discriminant(d) != 0) return;
+  scene.dips.clear();
   const Rational p = d.c[1] / (2 * d.c[0]), r = (d.c[2] / d.c[0] - p * p) / 2;
   scene.factor = enclosure(BinaryForm<Rational>({Rational(1), p, r}));
   scene.rest = BinaryForm<Interval>::constant(enclosure(d.c[0]));
@@ -120,15 +126,26 @@ Point1<Interval> point(const RealRoot& x) {
   return std::abs(approximate(at)) > 1 ? Point1<Interval>(1 / at, Interval(1)) : Point1<Interval>(Interval(1), at);
 }
 
+/// The same, so narrow that roots which doubles can hardly tell apart have a difference.
+CubicScene::Root refined_root(RealRoot x) {
+  CubicScene::Root out{point(x), x.multiplicity(), 0, std::nullopt};
+  const bool large = std::abs(approximate(out.at[0])) < 1;  // then (1 / x : 1)
+  if (!x.is_point()) x.refine(std::ldexp(std::max(1.0, std::abs(x.approximate())), -133));
+  const RationalInterval at = x.bounds();
+  out.refined = large ? std::array{RationalInterval(1) / at, RationalInterval(1)} : std::array{RationalInterval(1), at};
+  return out;
+}
+
 /// The different roots of a form that is not zero, (0 : 1) included, and the signs between them.
 std::vector<CubicScene::Root> exact_roots(const BinaryForm<Rational>& f) {
   const Polynomial<Rational> p = polynomial(f);
   std::vector<CubicScene::Root> roots;
-  for (const RealRoot& root : real_roots(p)) roots.push_back({point(root), root.multiplicity(), 0});
+  for (const RealRoot& root : real_roots(p)) roots.push_back(refined_root(root));
   const std::size_t finite = roots.size();
   const int sign = known_sign(p.leading()).value();  // for large x, that is, behind the last finite root
   const int at_infinity = static_cast<int>(f.degree) - p.degree();
-  if (at_infinity > 0) roots.push_back({{Interval(0), Interval(1)}, at_infinity, 0});
+  if (at_infinity > 0)
+    roots.push_back({{Interval(0), Interval(1)}, at_infinity, 0, std::array<RationalInterval, 2>{0, 1}});
   if (finite > 0)
     propagate_signs(roots, finite - 1, sign);
   else if (at_infinity > 0)
@@ -137,7 +154,29 @@ std::vector<CubicScene::Root> exact_roots(const BinaryForm<Rational>& f) {
   return roots;
 }
 
+/// D about its flat places, if it nearly vanishes there: where the square root of its rounding errors would be seen.
+std::vector<LocalForm<Interval>> dips(const BinaryForm<Rational>& d) {
+  std::vector<LocalForm<Interval>> out;
+  const auto add = [&](const Polynomial<Rational>& p, auto place) {
+    if (p.degree() < 2) return;
+    for (const RealRoot& flat : real_roots(p.derivative())) {
+      const double at = flat.approximate();
+      if (std::abs(at) > 1) continue;
+      const BinaryForm<Rational> seen = seen_from(place(at), d);
+      if (abs(seen.c[0]) * Rational(1 << 20) < abs(seen.c[2])) out.push_back({place(at), enclosure(seen)});
+    }
+  };
+  add(polynomial(d), [](double x) { return Point1<double>(1, x); });
+  add(polynomial(d).reversed(), [](double x) { return Point1<double>(x, 1); });
+  return out;
+}
+
 }  // namespace
+
+void divide_by_root(std::vector<LocalForm<Interval>>& dips, const Point1<Interval>& u) {
+  std::erase_if(dips, [&](const auto& dip) { return dip.is_near(u); });
+  for (auto& dip : dips) dip.divide_by_root(u);
+}
 
 std::optional<CubicScene> cubic_scene(const Cubic<Interval>& f, const Point2<Interval>& on_curve) {
   const CubicPencil<Interval> pencil(f, on_curve);
@@ -145,7 +184,8 @@ std::optional<CubicScene> cubic_scene(const Cubic<Interval>& f, const Point2<Int
   const auto& d = out.discriminant.c;
   const auto roots = simple_roots<4>({d[0], d[1], d[2], d[3], d[4]});
   if (!roots) return std::nullopt;
-  for (int k = 0; k < roots->count; ++k) out.roots.push_back({point(roots->at[static_cast<std::size_t>(k)]), 1, 0});
+  for (int k = 0; k < roots->count; ++k)
+    out.roots.push_back({point(roots->at[static_cast<std::size_t>(k)]), 1, 0, std::nullopt});
   orient(out.roots);
   std::size_t gap = 0;
   const std::optional<int> sign = sign_in_widest_gap(out.discriminant, out.roots, gap);
@@ -176,6 +216,7 @@ std::optional<CubicScene> cubic_scene(const Cubic<Rational>& given, const Point2
   out.pencil.a = enclosure(pencil.a), out.pencil.b = enclosure(pencil.b), out.pencil.c = enclosure(pencil.c);
   if (!d.is_zero()) {
     out.roots = exact_roots(d);
+    out.dips = dips(d);
     if (out.roots.empty()) out.sign = known_sign(d.c[0]).value();
   }
   split_discriminant(out);

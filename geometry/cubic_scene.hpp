@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "burmester/geometry/cubic_branches.hpp"
+#include "burmester/geometry/rational_interval.hpp"
 
 namespace burmester::detail {
 
@@ -24,17 +25,22 @@ struct CubicScene {
     Point1<Interval> at;
     int multiplicity = 1;
     int sign_behind = 0;
+    std::optional<std::array<RationalInterval, 2>> refined;  ///< `at`, to some 40 digits
   };
   explicit CubicScene(const CubicPencil<Interval>& seen) : pencil(seen), discriminant(seen.discriminant()) {}
 
-  CubicPencil<Interval> pencil;          ///< where a line through the base splits off: of the conic that is left
-  BinaryForm<Interval> discriminant;     ///< D
-  BinaryForm<Interval> factor, rest;     ///< D = S^2 G: S and G
-  std::vector<Root> roots;               ///< of D, in their order on the projective line: (1 : x) with x ascending
-  int sign = 0;                          ///< of D where it has no root; 0: D = 0
-  std::optional<Point1<Interval>> line;  ///< the line through the base
-  int sign_on_line = 0;                  ///< of D there
+  CubicPencil<Interval> pencil;           ///< where a line through the base splits off: of the conic that is left
+  BinaryForm<Interval> discriminant;      ///< D
+  BinaryForm<Interval> factor, rest;      ///< D = S^2 G: S and G
+  std::vector<LocalForm<Interval>> dips;  ///< G where D nearly vanishes twice, if it does
+  std::vector<Root> roots;                ///< of D, in their order on the projective line: (1 : x) with x ascending
+  int sign = 0;                           ///< of D where it has no root; 0: D = 0
+  std::optional<Point1<Interval>> line;   ///< the line through the base
+  int sign_on_line = 0;                   ///< of D there
 };
+
+/// Divides forms by vanishing_at(u), and drops those seen from near u.
+void divide_by_root(std::vector<LocalForm<Interval>>& dips, const Point1<Interval>& u);
 
 std::optional<CubicScene> cubic_scene(const Cubic<Interval>& f, const Point2<Interval>& on_curve);
 /// Nothing where on_curve is a singular point or F = 0.

@@ -5,16 +5,16 @@
 #include <limits>
 #include <utility>
 
+#include "burmester/geometry/branch_box.hpp"
 #include "burmester/geometry/partners_about.hpp"
 #include "burmester/geometry/range.hpp"
+#include "burmester/geometry/trace_charts.hpp"
 
 namespace burmester {
 namespace {
 
-using Point = Point2<double>;
-using Box = Point2<Interval>;
-constexpr double margin = 1.02;  // how far outside the window the last point of a piece may be
-constexpr int first_chords = 8, deepest = 40;
+using namespace detail;  // the charts
+constexpr int first_chords = 8, deep = 20, deepest = 200;
 constexpr double short_passage = 0x1p-12;  // from here on boxes are tried where tubes fail; a matter of speed only
 
 /// A point of the curve and its partner, as each chart shows them.
@@ -22,90 +22,6 @@ struct Sample {
   std::array<TubePoint, 2> track;
   bool valid = true;                  ///< not so where a point has no single partner
   bool inside = false, near = false;  ///< of the window; of the window with its margin
-};
-
-/// The affine plane z = 1, seen through a square window.
-class Plane {
- public:
-  static constexpr bool has_opposites = false;
-  explicit Plane(double window) : window_(window) {}
-  /// (x, y, 1) near the window, a unit vector elsewhere.
-  Point place(const Point& x) const {
-    const double reach = margin * window_ * std::abs(x[2]);
-    return x[2] != 0 && std::abs(x[0]) <= reach && std::abs(x[1]) <= reach ? Point(x / x[2]) : Point(x.normalized());
-  }
-  bool inside(const Point& x, double factor) const {
-    const double reach = factor * window_ * std::abs(x[2]);
-    return std::abs(x[0]) <= reach && std::abs(x[1]) <= reach;
-  }
-  static std::optional<Vector<double, 3>> normal(const Point& x, const Point& y) {
-    const double dx = y[0] - x[0], dy = y[1] - x[1], size = std::sqrt(dx * dx + dy * dy);
-    return Vector<double, 3>(-dy / size, dx / size, 0);
-  }
-  static double error(double radius, const Point&, const Point&) { return radius; }
-  /// Whether the tube test proves that the curve between two points, without z, passes the window on one side.
-  bool outside(const TubeCurve& curve, const TubePoint& from, const TubePoint& to, const Point& z) const {
-    const TubePoint x = from.unit(), y = from.at.dot(to.at) < 0 ? to.unit().opposite() : to.unit();
-    for (int k = 0; k < 2; ++k) {
-      const double sign = x.at[k] < 0 ? -1 : 1, gap = std::min(sign * x.at[k] - window_ * std::abs(x.at[2]),
-                                                               sign * y.at[k] - window_ * std::abs(y.at[2]));
-      if (!(gap > 0)) continue;
-      const Vector<double, 3> across = x.at.cross(y.at), n = across / across.norm();
-      const auto proved = tube(curve, x, y, n);
-      if (proved && proved->radius * (1 + window_) < gap && !over_chord(x, y, n, proved->radius, z)) return true;
-    }
-    return false;
-  }
-  bool outside(const Box& box) const {
-    const double height = window_ * magnitude(box[2]);
-    return lower(box[0]) > height || upper(box[0]) < -height || lower(box[1]) > height || upper(box[1]) < -height;
-  }
-  /// Largest distance from a point of the box to another point or to the samples; infinite where it reaches infinity.
-  static double extent(const Box& box, const Point& x, const Point& y) {
-    if (contains_zero(box[2])) return std::numeric_limits<double>::infinity();
-    const auto along = [&](int k) {
-      const Interval at = box[k] / box[2];
-      return std::max({upper(at), x[k], y[k]}) - std::min({lower(at), x[k], y[k]});
-    };
-    return std::hypot(along(0), along(1)) * (1 + 0x1p-40);
-  }
-
- private:
-  double window_;
-};
-
-/// The unit sphere.
-class Sphere {
- public:
-  static constexpr bool has_opposites = true;
-  static Point place(const Point& x) { return x.normalized(); }
-  static bool inside(const Point&, double) { return true; }
-  static std::optional<Vector<double, 3>> normal(const Point& x, const Point& y) {
-    const Vector<double, 3> across = x.cross(y);
-    const double size = across.norm();
-    if (!(size > 0) || !(x.dot(y) > 0.5)) return std::nullopt;
-    return Vector<double, 3>(across / size);
-  }
-  static double error(double radius, const Point& x, const Point& y) {
-    return 2 * radius / (x + y).norm() * (1 + 0x1p-40);
-  }
-  static bool outside(const TubeCurve&, const TubePoint&, const TubePoint&, const Point&) { return false; }
-  static bool outside(const Box&) { return false; }
-  static double extent(const Box& box, const Point& x, const Point& y) {
-    // Scaled to the height of x along its largest coordinate, the box is a patch near the sphere.
-    int k = 0;
-    for (int n = 1; n < 3; ++n)
-      if (std::abs(x[n]) > std::abs(x[k])) k = n;
-    if (contains_zero(box[k])) return std::numeric_limits<double>::infinity();
-    double sum = 0;
-    for (int n = 0; n < 3; ++n) {
-      const Interval at = box[n] / box[k] * x[k];
-      const double across = std::max({upper(at), x[n], y[n]}) - std::min({lower(at), x[n], y[n]});
-      sum += across * across;
-    }
-    return 2 *
-           std::sqrt(sum);  // an angle is at most 1.5 times its chord, and radial scaling at most 1 over |x| - across
-  }
 };
 
 template <class Chart>
@@ -177,16 +93,13 @@ class Tracer {
       if (chord.parts == 1) return accept(x, y, chord, from, sheet);
       parts = chord.parts;
     } else if (!x.valid && !y.valid) {
-      complete_ = false;
-      return interrupt(y);
+      return give_up(y);
     } else if (x.valid && y.valid && left_out(x, y, from, to, sheet)) {
       return interrupt(y);
     }
+    if (depth >= deep && !tells(x, from, sheet) && !tells(y, to, sheet)) return give_up(y);
     const double step = (to - from) / parts;
-    if (depth == deepest || samples_ > most_ || from + step == from || to - step == to) {
-      complete_ = false;
-      return interrupt(y);
-    }
+    if (depth == deepest || samples_ > most_ || from + step == from || to - step == to) return give_up(y);
     Sample at = x;
     for (int k = 1; k < parts; ++k)
       at = follow(at, sample(from + k * step, sheet), from + (k - 1) * step, from + k * step, sheet, depth + 1);
@@ -197,8 +110,7 @@ class Tracer {
   struct Chord {
     double error = 0;
     int parts = 2;
-    std::array<double, 2> width{};  ///< of the tubes; none: the chord was judged by a box, which holds the branch;
-                                    ///< infinite: the partner was
+    std::array<double, 2> width{};  ///< of the tubes; infinite: a box proved it, which holds the branch
   };
 
   Chord judge(const Sample& x, const Sample& y, double from, double to, int sheet) const {
@@ -210,14 +122,22 @@ class Tracer {
     for (std::size_t k = 0; k < tracks_; ++k) {
       const TubePoint &a = x.track[k], &b = y.track[k];
       if (k == 1 && (b.at - a.at).norm() <= options_.tolerance)
-        if (const double extent = partner_extent(x, y, box_of(from, to, sheet)); extent <= options_.tolerance) {
+        if (const double extent = partner_extent(x, y, box_of_points(branch_->enclosing, from, to, sheet));
+            extent <= options_.tolerance) {
           error = std::max(error, extent);
           width[k] = std::numeric_limits<double>::infinity();
           continue;
         }
       const auto n = chart_.normal(a.at, b.at);
       const auto proved = n ? tube(form(k), a, b, *n) : std::nullopt;
-      if (!proved) return length < options_.tolerance ? judge_by_box(x, y, from, to, sheet) : Chord();
+      if (!proved) {
+        if (!(length < options_.tolerance)) return {};
+        const double extent = extent_of_box(k, x, y, from, to, sheet);
+        if (!(extent <= options_.tolerance)) return {};  // also where it is not a number
+        error = std::max(error, extent);
+        width[k] = std::numeric_limits<double>::infinity();
+        continue;
+      }
       if (over_chord(a, b, *n, proved->radius, elsewhere(x, y).track[k].at)) return {};
       error = std::max(error, chart_.error(proved->radius, a.at, b.at));
       width[k] = proved->width;
@@ -237,30 +157,28 @@ class Tracer {
     return std::clamp(static_cast<int>(std::ceil(std::min(1.05 * ratio, 8.0))), 2, 8);
   }
 
-  Chord judge_by_box(const Sample& x, const Sample& y, double from, double to, int sheet) const {
+  double extent_of_box(std::size_t k, const Sample& x, const Sample& y, double from, double to, int sheet) const {
     const std::array<Box, 2> box = boxes(from, to, sheet);
-    double error = 0;
-    for (std::size_t k = 0; k < tracks_; ++k) {
-      double extent = chart_.extent(box[k], x.track[k].at, y.track[k].at);
-      if (k == 1 && !(extent <= options_.tolerance)) extent = partner_extent(x, y, box[0]);
-      if (!(extent <= options_.tolerance)) return {};  // also where it is not a number
-      error = std::max(error, extent);
-    }
-    return {error, 1};
+    const double extent = chart_.extent(box[k], x.track[k].at, y.track[k].at);
+    return k == 1 && !(extent <= options_.tolerance) ? partner_extent(x, y, box[0]) : extent;
   }
 
-  Box box_of(double from, double to, int sheet) const {
-    return branch_->enclosing(Interval(std::min(from, to), std::max(from, to)), sheet);
-  }
   std::array<Box, 2> boxes(double from, double to, int sheet) const {
-    std::array<Box, 2> box{box_of(from, to, sheet)};
-    if (tracks_ == 2) box[1] = partner<Interval>(partner_->enclosing, box[0]);
-    return box;
+    if (tracks_ == 1) return {box_of_points(branch_->enclosing, from, to, sheet)};
+    const BranchBox box = box_with_partners(branch_->enclosing, *partner_, from, to, sheet);
+    return {box.points, box.partners};
   }
 
   /// As Chart::extent, of the partners of a box: no matter how long it is where all of them are one point.
   double partner_extent(const Sample& x, const Sample& y, const Box& p) const {
     return chart_.extent(partners_about(*partner_, x.track[1].at, p), x.track[1].at, y.track[1].at);
+  }
+
+  /// Whether doubles tell where on the curves x is: not so very near a point that has a line of partners.
+  bool tells(const Sample& x, double s, int sheet) const {
+    for (std::size_t k = 0; x.near && k < tracks_; ++k)
+      if (!(extent_of_box(k, x, x, s, s, sheet) <= options_.tolerance / 3)) return false;
+    return true;
   }
 
   bool left_out(const Sample& x, const Sample& y, double from, double to, int sheet) const {
@@ -280,21 +198,50 @@ class Tracer {
     }
     connected_ = true;
     on_branch_ = on_branch_ || is_on_branch(x, chord, from, sheet);
-    append(y);
-    pieces_.back().max_error = std::max(pieces_.back().max_error, chord.error);
+    merge_or_append(x, y, chord);
     return y;
+  }
+
+  /// Near singular points chords are far shorter than the tolerance. Those that lie in a disc about the beginning x of the
+  /// first become one: the curve is within their largest error of them, and they are within the disc's radius of x.
+  void merge_or_append(const Sample& x, const Sample& y, const Chord& chord) {
+    CurvePiece& piece = pieces_.back();
+    const auto distance = [&](const Sample& from) {
+      double out = 0;
+      for (std::size_t k = 0; k < tracks_; ++k) out = std::max(out, (y.track[k].at - from.track[k].at).norm());
+      return out;
+    };
+    const bool by_box = !std::isfinite(chord.width[0]) || !std::isfinite(chord.width[1]);
+    double error = chord.error;
+    Merged more{merged_.from, std::max(merged_.reach, distance(merged_.from)), std::max(merged_.error, error)};
+    if (by_box && piece.points.size() > 1 && more.reach + more.error <= options_.tolerance) {
+      piece.points.pop_back();
+      if (tracks_ == 2) piece.partners.pop_back();
+      error = more.reach + more.error;
+    } else {
+      more = {x, distance(x), error};
+    }
+    merged_ = more;
+    append(y);
+    piece.max_error = std::max(piece.max_error, error);
   }
 
   /// The chords of a piece follow one part of the curve. It is this branch if one point of it is proved to be: if the box
   /// that holds the branch at x lies in the tube of the chord.
   bool is_on_branch(const Sample& x, const Chord& chord, double from, int sheet) const {
-    if (chord.width[0] == 0) return true;  // judged by a box
     const std::array<Box, 2> box = boxes(from, from, sheet);
     for (std::size_t k = 0; k < tracks_; ++k)
-      if (!(chart_.extent(box[k], x.track[k].at, x.track[k].at) <= chord.width[k])) return false;
+      if (std::isfinite(chord.width[k]) && !(chart_.extent(box[k], x.track[k].at, x.track[k].at) <= chord.width[k]))
+        return false;
     return true;
   }
 
+  /// Where a part cannot be proved. What was proved beside it is not shown if it is smaller than the tolerance.
+  const Sample& give_up(const Sample& y) {
+    complete_ = false;
+    if (connected_ && pieces_.back().points.size() == 2 && merged_.reach <= options_.tolerance) on_branch_ = false;
+    return interrupt(y);
+  }
   const Sample& interrupt(const Sample& y) {
     end_piece();
     connected_ = unbroken_ = false;
@@ -349,13 +296,17 @@ class Tracer {
   const CubicBranch* branch_ = nullptr;
   std::array<Sample, 2> references_;
   std::vector<CurvePiece> pieces_;
+  struct Merged {
+    Sample from;
+    double reach = 0, error = 0;
+  } merged_;  ///< the last chord
   bool unbroken_ = true, connected_ = false, on_branch_ = false, complete_ = true;
   int samples_ = 0, most_ = 0;
 };
 
 template <class Chart>
 TracedCurve trace(const Chart& chart, const CubicBranches& traced, const TubeCurve& curve,
-                              const std::optional<PartnerCurve>& partner, const TraceOptions& options) {
+                  const std::optional<PartnerCurve>& partner, const TraceOptions& options) {
   check(options);
   Tracer<Chart> tracer(chart, curve, partner, options);
   TracedCurve out;
@@ -388,12 +339,12 @@ PartnerCurve partner_curve(const std::array<Correlation<Interval>, 3>& n) {
 }
 
 TracedCurve trace_in_plane(const CubicBranches& traced, const TubeCurve& curve,
-                                       const std::optional<PartnerCurve>& partner, const TraceOptions& options) {
+                           const std::optional<PartnerCurve>& partner, const TraceOptions& options) {
   return trace(Plane(options.window), traced, curve, partner, options);
 }
 
 TracedCurve trace_on_sphere(const CubicBranches& traced, const TubeCurve& curve,
-                                        const std::optional<PartnerCurve>& partner, const TraceOptions& options) {
+                            const std::optional<PartnerCurve>& partner, const TraceOptions& options) {
   return trace(Sphere(), traced, curve, partner, options);
 }
 

@@ -8,10 +8,8 @@
 namespace burmester {
 
 /// The narrowest interval of doubles that holds x, or one step wider.
-inline Interval enclosure(const Rational& x) {
-  const RationalInterval point(x);
-  return {lower(point), upper(point)};
-}
+inline Interval enclosure(const RationalInterval& x) { return {lower(x), upper(x)}; }
+inline Interval enclosure(const Rational& x) { return enclosure(RationalInterval(x)); }
 
 inline Cubic<Interval> enclosure(const Cubic<Rational>& f) {
   Cubic<Interval> out;

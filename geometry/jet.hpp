@@ -5,6 +5,8 @@
 // chooses (approximate), the value decides: the derivative is that of the branch taken.
 #pragma once
 
+#include <concepts>
+
 #include "burmester/geometry/number.hpp"
 #include "burmester/geometry/vector.hpp"
 
@@ -17,7 +19,9 @@ struct Jet {
 
   Jet() : Jet(0) {}
   Jet(int x) : value(x), slope(Vector<T, N>::Zero()) {}  // implicit: the formulas write 2 * x
-  explicit Jet(double x) : value(x), slope(Vector<T, N>::Zero()) {}
+  template <class X>
+  requires std::constructible_from<T, X>
+  explicit Jet(const X& x) : value(x), slope(Vector<T, N>::Zero()) {}
   Jet(const T& f, const Vector<T, N>& df) : value(f), slope(df) {}
   /// The variable number i, scaled: x = `at` + `scale` times the variable.
   static Jet variable(double at, int i, double scale) {
@@ -52,6 +56,11 @@ struct Jet {
   friend Jet operator/(Jet a, const Jet& b) { return a /= b; }
 };
 
+template <class T, int N>
+double approximate(const Jet<T, N>& x) {
+  return approximate(x.value);
+}
+
 }  // namespace burmester
 
 template <class T, int N>
@@ -60,5 +69,13 @@ struct Eigen::NumTraits<burmester::Jet<T, N>> : Eigen::GenericNumTraits<burmeste
   using NonInteger = Real;
   using Nested = Real;
   using Literal = Real;
-  enum { IsComplex = 0, IsInteger = 0, IsSigned = 1, RequireInitialization = 1, ReadCost = N, AddCost = N, MulCost = 2 * N };
+  enum {
+    IsComplex = 0,
+    IsInteger = 0,
+    IsSigned = 1,
+    RequireInitialization = 1,
+    ReadCost = N,
+    AddCost = N,
+    MulCost = 2 * N
+  };
 };

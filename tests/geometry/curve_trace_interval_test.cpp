@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "burmester/geometry/enclosure.hpp"
 #include "burmester/geometry/random.hpp"
 #include "burmester/geometry/rational_interval.hpp"
 #include "cubics.hpp"
@@ -249,9 +250,9 @@ TEST(CurveTrace, TwoThreadsTraceAlikeAndTheRoundingModeIsRestored) {
   for (std::size_t k = 0; k < one.size(); ++k) EXPECT_EQ(one[k].points, two[k].points);
 }
 
-TEST(CurveTrace, ABranchWhoseTurningPointsAgreeInDoublesIsCountedButNotShown) {
-  // (y - 3/7 (x + z))^2 z = (x + z)(x^2 + 2^-200 z^2): from (-1 : 0 : 1) the two turning lines differ by 2^-99.
-  const Rational seventh = Rational(3) / 7, tiny = Rational(1) / Rational(Integer(1) << 200), zero(0), one(1);
+/// (y - 3/7 (x + z))^2 z = (x + z)(x^2 + 2^-2n z^2): from (-1 : 0 : 1) the two turning lines differ by 2^-n.
+TracedCurve traced_from_turning_lines_that_differ_by_two_to(int minus_n) {
+  const Rational seventh = Rational(3) / 7, tiny = Rational(1) / Rational(Integer(1) << (2 * minus_n)), zero(0), one(1);
   const LinearForm<Rational> x(one, zero, zero), z(zero, zero, one), sum(one, zero, one),
       l(Rational(-seventh), one, Rational(-seventh));
   Cubic<Rational> f;
@@ -261,10 +262,22 @@ TEST(CurveTrace, ABranchWhoseTurningPointsAgreeInDoublesIsCountedButNotShown) {
   const CubicBranches branches = branches_by_rationals(f, {Rational(-1), zero, one});
   EXPECT_EQ(branches.topology.components, 1);
   const UpwardRounding upward;
-  Cubic<Interval> rounded;
-  for (std::size_t k = 0; k < 10; ++k)
-    rounded.c[k] = Interval(lower(RationalInterval(f.c[k])), upper(RationalInterval(f.c[k])));
-  const TracedCurve traced = trace_in_plane(branches, tube_curve(rounded), std::nullopt, {1e-3, 0.5, 4});
+  return trace_in_plane(branches, tube_curve(enclosure(f)), std::nullopt, {1e-3, 0.5, 4});
+}
+
+TEST(CurveTrace, ABranchBetweenTurningPointsThatAgreeInDoublesIsTraced) {
+  for (const int n : {20, 40, 60, 100}) {
+    const TracedCurve traced = traced_from_turning_lines_that_differ_by_two_to(n);
+    EXPECT_TRUE(traced.complete) << n;
+    ASSERT_EQ(traced.pieces.size(), 1u) << n;  // the loop, and both arms to the border of the window
+    EXPECT_LT(traced.pieces[0].points.size(), 400u) << n;
+    EXPECT_GT(std::abs(traced.pieces[0].points.front()[1]), 3.9) << n;
+    EXPECT_GT(std::abs(traced.pieces[0].points.back()[1]), 3.9) << n;
+  }
+}
+
+TEST(CurveTrace, ABranchWhoseTurningPointsAgreeInFortyDigitsIsCountedButNotShown) {
+  const TracedCurve traced = traced_from_turning_lines_that_differ_by_two_to(200);
   EXPECT_TRUE(traced.pieces.empty());
   EXPECT_FALSE(traced.complete);
 }

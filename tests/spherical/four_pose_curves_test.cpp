@@ -273,5 +273,27 @@ TEST(SphericalFourPoseCurves, HalfTurnsAreOrdinaryAndSymmetricSetsSplit) {
   const SphericalReport split = FourPoseSolver().solve(mirrored);
   EXPECT_NE(split.message.find("split into 1 great circle and a quadric cone"), std::string::npos) << split.message;
 }
+
+// (w, +-x, +-y, +-z): mirror images of each other. Seen exactly the cones split or have nodes; every branch is whole.
+TEST(SphericalFourPoseCurves, OfMirroredQuaternionsAreWhole) {
+  Random random("SphericalFourPoseCurves.OfMirroredQuaternionsAreWhole");
+  for (int i = 0; i < 50; ++i) {
+    const auto some = [&] { return std::floor(random.uniform(1, 7)); };
+    const double w = some(), x = some(), y = some(), z = some();
+    for (const FourPoseTask& task :
+         {FourPoseTask{Pose{w, x, y, z}, Pose{w, -x, y, z}, Pose{w, x, -y, z}, Pose{w, x, y, -z}},
+          FourPoseTask{Pose{w, x, y, z}, Pose{w, -x, -y, z}, Pose{w, x, -y, z}, Pose{w, -x, y, z}},
+          FourPoseTask{Pose{w, x, y, z}, Pose{w, -x, y, z}, Pose{z, y, w, x}, Pose{z, -y, w, x}}}) {
+      const FourPoseCurves curves = four_pose_curves(task);
+      if (curves.topology.rung == Rung::none) continue;  // equal orientations
+      EXPECT_TRUE(curves.complete) << w << " " << x << " " << y << " " << z;
+      EXPECT_FALSE(curves.pieces.empty());
+      for (const CurveRecord& piece : curves.pieces) {
+        EXPECT_TRUE(piece.closed) << w << " " << x << " " << y << " " << z;
+        EXPECT_LT(piece.moving.size(), 3000u);
+      }
+    }
+  }
+}
 }  // namespace
 }  // namespace burmester::spherical

@@ -1,0 +1,103 @@
+// Where curves are traced: the plane within a window, and the sphere. Not for inclusion by users: curve_trace.hpp is.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "burmester/geometry/curve_tube.hpp"
+#include "burmester/geometry/interval.hpp"
+#include "burmester/geometry/range.hpp"
+
+namespace burmester::detail {
+
+using Point = Point2<double>;
+using Box = Point2<Interval>;
+inline constexpr double margin = 1.02;  ///< how far outside the window the last point of a piece may be
+
+/// The affine plane z = 1, seen through a square window.
+class Plane {
+ public:
+  static constexpr bool has_opposites = false;
+  explicit Plane(double window) : window_(window) {}
+  /// (x, y, 1) near the window, a unit vector elsewhere.
+  Point place(const Point& x) const {
+    const double reach = margin * window_ * std::abs(x[2]);
+    return x[2] != 0 && std::abs(x[0]) <= reach && std::abs(x[1]) <= reach ? Point(x / x[2]) : Point(x.normalized());
+  }
+  bool inside(const Point& x, double factor) const {
+    const double reach = factor * window_ * std::abs(x[2]);
+    return std::abs(x[0]) <= reach && std::abs(x[1]) <= reach;
+  }
+  static std::optional<Vector<double, 3>> normal(const Point& x, const Point& y) {
+    const double dx = y[0] - x[0], dy = y[1] - x[1], size = std::sqrt(dx * dx + dy * dy);
+    return Vector<double, 3>(-dy / size, dx / size, 0);
+  }
+  static double error(double radius, const Point&, const Point&) { return radius; }
+  /// Whether the tube test proves that the curve between two points, without z, passes the window on one side.
+  bool outside(const TubeCurve& curve, const TubePoint& from, const TubePoint& to, const Point& z) const {
+    const TubePoint x = from.unit(), y = from.at.dot(to.at) < 0 ? to.unit().opposite() : to.unit();
+    for (int k = 0; k < 2; ++k) {
+      const double sign = x.at[k] < 0 ? -1 : 1, gap = std::min(sign * x.at[k] - window_ * std::abs(x.at[2]),
+                                                               sign * y.at[k] - window_ * std::abs(y.at[2]));
+      if (!(gap > 0)) continue;
+      const Vector<double, 3> across = x.at.cross(y.at), n = across / across.norm();
+      const auto proved = tube(curve, x, y, n);
+      if (proved && proved->radius * (1 + window_) < gap && !over_chord(x, y, n, proved->radius, z)) return true;
+    }
+    return false;
+  }
+  bool outside(const Box& box) const {
+    const double height = window_ * magnitude(box[2]);
+    return lower(box[0]) > height || upper(box[0]) < -height || lower(box[1]) > height || upper(box[1]) < -height;
+  }
+  /// Largest distance from a point of the box to another point or to the samples; infinite where it reaches infinity.
+  static double extent(const Box& box, const Point& x, const Point& y) {
+    if (contains_zero(box[2])) return std::numeric_limits<double>::infinity();
+    const auto along = [&](int k) {
+      const Interval at = box[k] / box[2];
+      return std::max({upper(at), x[k], y[k]}) - std::min({lower(at), x[k], y[k]});
+    };
+    return std::hypot(along(0), along(1)) * (1 + 0x1p-40);
+  }
+
+ private:
+  double window_;
+};
+
+/// The unit sphere.
+class Sphere {
+ public:
+  static constexpr bool has_opposites = true;
+  static Point place(const Point& x) { return x.normalized(); }
+  static bool inside(const Point&, double) { return true; }
+  static std::optional<Vector<double, 3>> normal(const Point& x, const Point& y) {
+    const Vector<double, 3> across = x.cross(y);
+    const double size = across.norm();
+    if (!(size > 0) || !(x.dot(y) > 0.5)) return std::nullopt;
+    return Vector<double, 3>(across / size);
+  }
+  static double error(double radius, const Point& x, const Point& y) {
+    return 2 * radius / (x + y).norm() * (1 + 0x1p-40);
+  }
+  static bool outside(const TubeCurve&, const TubePoint&, const TubePoint&, const Point&) { return false; }
+  static bool outside(const Box&) { return false; }
+  static double extent(const Box& box, const Point& x, const Point& y) {
+    // Scaled to the height of x along its largest coordinate, the box is a patch near the sphere.
+    int k = 0;
+    for (int n = 1; n < 3; ++n)
+      if (std::abs(x[n]) > std::abs(x[k])) k = n;
+    if (contains_zero(box[k])) return std::numeric_limits<double>::infinity();
+    double sum = 0;
+    for (int n = 0; n < 3; ++n) {
+      const Interval at = box[n] / box[k] * x[k];
+      const double across = std::max({upper(at), x[n], y[n]}) - std::min({lower(at), x[n], y[n]});
+      sum += across * across;
+    }
+    return 2 *
+           std::sqrt(sum);  // an angle is at most 1.5 times its chord, and radial scaling at most 1 over |x| - across
+  }
+};
+
+}  // namespace burmester::detail

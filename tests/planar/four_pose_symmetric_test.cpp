@@ -1,0 +1,77 @@
+// Four symmetric poses: their curves split into a line and a circle, or would but for rounding, and are whole all the same.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "burmester/planar/four_pose_curves.hpp"
+#include "four_poses.hpp"
+
+namespace burmester::planar {
+namespace {
+
+/// How far a pair is out, in units of the window: both pivots from pose 1's origin, along x and y.
+double reach(const FourPoseTask& task, const CurveRecord& piece, std::size_t k) {
+  const Vector2 p = rotated({0, 0, task[0].X3, task[0].X4}, {piece.moving[k][0], piece.moving[k][1]}),
+                c(piece.fixed[k][0] - task[0].x, piece.fixed[k][1] - task[0].y);
+  const double window = CurveOptions().window * power_of_two_below(task_size(task));
+  return std::max(p.cwiseAbs().maxCoeff(), c.cwiseAbs().maxCoeff()) / window;
+}
+
+/// Complete, in few points that meet the poses, and no end but at the border of the window.
+void expect_whole(const FourPoseTask& task, const std::string& name) {
+  const FourPoseCurves curves = four_pose_curves(task);
+  EXPECT_TRUE(curves.complete) << name;
+  std::size_t points = 0;
+  for (const CurveRecord& piece : curves.pieces) {
+    points += piece.moving.size();
+    EXPECT_LE(piece.max_error, 1e-4 * power_of_two_below(task_size(task)) * (1 + 1e-9)) << name;
+    for (std::size_t k = 0; k < piece.moving.size(); ++k)
+      EXPECT_LT(concyclicity(task, {piece.moving[k][0], piece.moving[k][1]}, {piece.fixed[k][0], piece.fixed[k][1]}),
+                1e-6)  // beside a node that is 1e-9 away
+          << name;
+    if (piece.closed) continue;
+    EXPECT_GT(reach(task, piece, 0), 1 - 1e-9) << name;
+    EXPECT_GT(reach(task, piece, piece.moving.size() - 1), 1 - 1e-9) << name;
+  }
+  EXPECT_GT(points, 20u) << name;
+  EXPECT_LT(points, 3000u) << name;
+}
+
+TEST(SymmetricPoses, InEqualStepsByName) {
+  const struct {
+    const char* name;
+    std::array<std::array<double, 3>, 4> poses;
+  } cases[] = {{"equal steps along a line", {{{0, 0, 0}, {1, 0, 10}, {2, 0, 20}, {3, 0, 30}}}},
+               {"equal steps upwards", {{{0, 0, 0}, {2, 1, 15}, {4, 2, 30}, {6, 3, 45}}}},
+               {"mirror images, turning one way", {{{-3, 1, -30}, {-1, 0, -10}, {1, 0, 10}, {3, 1, 30}}}},
+               {"mirror images, turning back", {{{-3, 0, 45}, {-1, 1, 15}, {1, 1, -15}, {3, 0, -45}}}}};
+  for (const auto& c : cases) {
+    std::array<std::size_t, 4> order{0, 1, 2, 3};
+    do {
+      std::array<std::array<double, 3>, 4> poses;
+      for (std::size_t j = 0; j < 4; ++j) poses[j] = c.poses[order[j]];
+      expect_whole(four_poses(poses), c.name);
+    } while (std::ranges::next_permutation(order).found);
+  }
+}
+
+/// Mirror images in the line x = 0, turned by an angle that rounds: the curves split to within rounding.
+TEST(SymmetricPoses, AtRandom) {
+  Random random("SymmetricPoses.AtRandom");
+  for (int i = 0; i < 150; ++i) {
+    const double turn = random.uniform(-180, 180), radians = turn * std::numbers::pi / 180, c = std::cos(radians),
+                 s = std::sin(radians);
+    std::array<std::array<double, 3>, 4> poses;
+    for (std::size_t j = 0; j < 4; j += 2) {
+      const double x = random.uniform(0.2, 1), y = random.uniform(-1, 1), angle = random.uniform(-90, 90);
+      poses[j] = {c * x - s * y, s * x + c * y, turn + angle};
+      poses[j + 1] = {-c * x - s * y, -s * x + c * y, turn - angle};
+    }
+    expect_whole(four_poses(poses), "set " + std::to_string(i));
+  }
+}
+
+}  // namespace
+}  // namespace burmester::planar
