@@ -32,8 +32,21 @@ function(burmester_add_room room)
 
   file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/include/burmester)
   file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/include/burmester/${room} SYMBOLIC)
+  # A header that its own source includes first compiles alone; only the others must be verified.
+  set(first_in_source "")
+  foreach(header IN LISTS headers)
+    cmake_path(REPLACE_EXTENSION header cpp OUTPUT_VARIABLE source)
+    if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${source})
+      file(STRINGS ${source} include REGEX "^#include" LIMIT_COUNT 1)
+      if(include STREQUAL "#include \"burmester/${room}/${header}\"")
+        list(APPEND first_in_source ${header})
+      endif()
+    endif()
+  endforeach()
+  list(REMOVE_ITEM headers ${first_in_source})
   list(TRANSFORM headers PREPEND ${room}/)
-  burmester_finish_library(burmester_${room} HEADERS ${headers})
+  list(TRANSFORM first_in_source PREPEND ${room}/)
+  burmester_finish_library(burmester_${room} HEADERS ${headers} VERIFIED_HEADERS ${first_in_source})
 endfunction()
 
 # burmester_add_conformance(<room>): the headers conformance*.hpp of a room, the laws as typed test suites. They need
@@ -73,10 +86,11 @@ function(burmester_set_warnings target)
   target_compile_options(${target} PRIVATE ${BURMESTER_WARNINGS} $<$<BOOL:${BURMESTER_WERROR}>:-Werror>)
 endfunction()
 
-# burmester_finish_library(<target> [HEADERS <paths below include/burmester>...] [EXPORT <export set>]):
-# alias, header set, warnings, version, installation.
+# burmester_finish_library(<target> [HEADERS <paths below include/burmester>...] [VERIFIED_HEADERS <such paths>...]
+#                          [EXPORT <export set>]):
+# alias, header sets, warnings, version, installation. VERIFIED_HEADERS are known to compile alone.
 function(burmester_finish_library target)
-  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "EXPORT" "HEADERS")
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "EXPORT" "HEADERS;VERIFIED_HEADERS")
   if(NOT ARG_EXPORT)
     set(ARG_EXPORT ${PROJECT_NAME}Targets)
   endif()
@@ -92,10 +106,15 @@ function(burmester_finish_library target)
     burmester_set_warnings(${target})
     set_target_properties(${target} PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})
   endif()
-  list(TRANSFORM ARG_HEADERS PREPEND ${PROJECT_BINARY_DIR}/include/burmester/)
-  target_sources(${target} ${scope} FILE_SET HEADERS BASE_DIRS ${PROJECT_BINARY_DIR}/include FILES ${ARG_HEADERS})
+  set(include_dir ${PROJECT_BINARY_DIR}/include)
+  list(TRANSFORM ARG_HEADERS PREPEND ${include_dir}/burmester/)
+  list(TRANSFORM ARG_VERIFIED_HEADERS PREPEND ${include_dir}/burmester/)
+  target_sources(${target} ${scope}
+    FILE_SET HEADERS BASE_DIRS ${include_dir} FILES ${ARG_HEADERS}
+    FILE_SET verified_headers TYPE HEADERS BASE_DIRS ${include_dir} FILES ${ARG_VERIFIED_HEADERS})
+  set_target_properties(${target} PROPERTIES INTERFACE_HEADER_SETS_TO_VERIFY HEADERS)
 
   if(BURMESTER_INSTALL)
-    install(TARGETS ${target} EXPORT ${ARG_EXPORT} FILE_SET HEADERS)
+    install(TARGETS ${target} EXPORT ${ARG_EXPORT} FILE_SET HEADERS FILE_SET verified_headers)
   endif()
 endfunction()
