@@ -8,6 +8,7 @@
 
 #include "burmester/geometry/rational.hpp"
 #include "near_degenerate.hpp"
+#include "polynomials.hpp"
 #include "rounding_mode.hpp"
 
 namespace burmester {
@@ -97,9 +98,7 @@ TEST(Depth, CountsWhatTheBoundNeeds) {
 
 template <class F>
 class Bound : public testing::Test {};
-using Polynomials = testing::Types<Determinant<2>, Determinant<3>, Determinant<4>, Orientation2, Orientation3,
-                                   InCircle, DyadClosure, SixOnAConic>;
-TYPED_TEST_SUITE(Bound, Polynomials);
+TYPED_TEST_SUITE(Bound, Polynomials<SixOnAConic>);
 
 inline auto near_degenerate(SixOnAConic, Random& random) { return random_arguments<12>(random); }
 
