@@ -37,9 +37,11 @@ namespace {
 TEST(OwnPredicate, TheExampleOfTheGuide) {
   const double e = 0x1p-52;
   EXPECT_EQ(exact_sign<SignedArea>(std::array<double, 6>{0, 0, 1, 0, 0, 1}), (Sign{1, Rung::doubles}));
-  EXPECT_EQ(exact_sign<SignedArea>(std::array<double, 6>{1, 1, 1 + e, 1 + e, 1 - e, 1 - e}), (Sign{0, Rung::intervals}));
+  EXPECT_EQ(exact_sign<SignedArea>(std::array<double, 6>{1, 1, 1 + e, 1 + e, 1 - e, 1 - e}),
+            (Sign{0, Rung::intervals}));
   EXPECT_EQ(exact_sign<SignedArea>(std::array<double, 6>{1, 1, 3.1, 3.1, 0.7, 0.7}), (Sign{0, Rung::exact}));
-  EXPECT_EQ(exact_sign<SignedArea>(std::array<double, 6>{1, 1, 3.1, 3.1, 0.7, std::nextafter(0.7, 0)}), (Sign{-1, Rung::intervals}));
+  EXPECT_EQ(exact_sign<SignedArea>(std::array<double, 6>{1, 1, 3.1, 3.1, 0.7, std::nextafter(0.7, 0)}),
+            (Sign{-1, Rung::intervals}));
 }
 
 TEST(OwnPredicate, SixPointsOnAConic) {
