@@ -25,7 +25,8 @@ void multiply(Powers<T>& p, int degree, const T& a, const T& b) {
   p[0] *= a;
 }
 
-/// F((from, 1) + t (to, 1)): the coefficient of t^k is the k-th Bernstein coefficient of F on the segment, times a binomial.
+/// F((from, 1) + t (to, 1)): the coefficient of t^k is the k-th Bernstein coefficient of
+/// F on the segment, times a binomial.
 template <class T>
 Powers<T> along(const TernaryForm<T>& f, const Place& from, const Place& to) {
   static constexpr int binomial[TernaryForm<T>::highest_degree + 1][TernaryForm<T>::highest_degree + 1] = {

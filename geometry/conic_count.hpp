@@ -8,8 +8,8 @@
 //     number of real common points = 1 + sum over the real roots of sign(-trace adj).
 // That sum is the signature of Hermite's trace form: H[j][k] = sum over all roots of P(x) x^(j+k), P = -trace adj, a
 // rational function of the coefficients (C. Hermite 1853; Basu, Pollack, Roy, "Algorithms in Real Algebraic
-// Geometry", 2006, section 4.3). H is regular exactly when f has three different roots and P vanishes at none of them: not
-// at real ones unless the member is a double line, at complex ones only by chance (P depends on the coordinates).
+// Geometry", 2006, section 4.3). H is regular exactly when f has three different roots and P vanishes at none of them:
+// not at real ones unless the member is a double line, at complex ones only by chance (P depends on the coordinates).
 #pragma once
 
 #include <array>

@@ -2,7 +2,8 @@
 //
 // First in intervals of doubles: the number of points by conic_count.hpp, and a Krawczyk box around each point that
 // common_points.hpp finds; that settles pencils with simple common points. Else exactly. Seen from a point c on none of
-// the conics' common chords and tangents, the points lie on different lines: with z along the lines through c the conics are
+// the conics' common chords and tangents, the points lie on different lines:
+// with z along the lines through c the conics are
 //     a z^2 + a1 z + a2,  b z^2 + b1 z + b2     (a1, b1 linear, a2, b2 quadratic forms of the line),
 // the lines are the roots of the resultant s0^2 - s1 (a1 b2 - b1 a2), multiplicities included, and z = -s0 / s1, where
 // s1 = a b1 - b a1 and s0 = a b2 - b a2 (the first subresultant). A line with s1 = s0 = 0 is part of a member of the
@@ -20,7 +21,8 @@
 
 namespace burmester {
 
-/// A point (or a line) of the projective plane, scaled so that coordinate number `unit`, the largest or nearly so, is 1.
+/// A point (or a line) of the projective plane, scaled so that coordinate number `unit`,
+/// the largest or nearly so, is 1.
 struct ProjectivePointBox {
   int unit = 0;
   std::array<Range, 3> at;  ///< at[unit] is [1, 1]
@@ -34,7 +36,7 @@ struct CertifiedCommonPoint {
 struct CertifiedCommonPoints {
   PencilKind kind = PencilKind::regular;
   Rung rung = Rung::none;                    ///< what proved all of it: intervals or exact
-  std::vector<CertifiedCommonPoint> points;  ///< the different real ones, none left out (common_line: those off the line)
+  std::vector<CertifiedCommonPoint> points;  ///< the different real ones, none left out; of common_line those off it
   ProjectivePointBox line;                   ///< common_line: the shared line
 };
 

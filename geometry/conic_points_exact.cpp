@@ -2,13 +2,13 @@
 #include <utility>
 
 #include "burmester/geometry/conic_points.hpp"
+#include "burmester/geometry/degenerate_pencil.hpp"
 #include "burmester/geometry/real_roots.hpp"
 
 namespace burmester {
 namespace {
 
 using Point = Point2<Rational>;
-using Line = LinearForm<Rational>;
 using BoxPoint = std::array<RationalInterval, 3>;
 using P = Polynomial<Rational>;
 
@@ -30,78 +30,18 @@ std::optional<ProjectivePointBox> scaled(const BoxPoint& p, double width) {
   return out;
 }
 
-bool is_zero(const Point& p) { return p[0] == 0 && p[1] == 0 && p[2] == 0; }
-
 /// Of a point that is known exactly, not zero.
 ProjectivePointBox scaled(const Point& p) {
   return *scaled(BoxPoint{RationalInterval(p[0]), RationalInterval(p[1]), RationalInterval(p[2])}, 0);
 }
 
-bool exactly_proportional(const Conic<Rational>& a, const Conic<Rational>& b) {
-  for (std::size_t i = 0; i < 6; ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      if (a.q[i] * b.q[j] != a.q[j] * b.q[i]) return false;
-  return true;
-}
-
-// ---- Pencils of singular conics ----
-
-/// The point where the lines of a singular conic meet; zero for a double line.
-Point vertex_of(const Conic<Rational>& c) {
-  const Adjugate<Rational> adj(c);
-  if (adj.xx != 0) return {adj.xx, adj.xy, adj.xz};
-  if (adj.yy != 0) return {adj.xy, adj.yy, adj.yz};
-  return {adj.xz, adj.yz, adj.zz};
-}
-
-int nonzero_coordinate(const Point& p) { return p[0] != 0 ? 0 : p[1] != 0 ? 1 : 2; }
-
-/// m with c = l m. Precondition: l divides c.
-Line other_line(const Conic<Rational>& c, const Line& l) {
-  constexpr int mixed[3][3] = {{0, 5, 4}, {5, 1, 3}, {4, 3, 2}};
-  const int k = nonzero_coordinate(l);
-  const auto coefficient = [&](int i, int j) { return c.q[static_cast<std::size_t>(mixed[i][j])]; };
-  Line m;
-  m[k] = coefficient(k, k) / l[k];
-  for (const int i : {(k + 1) % 3, (k + 2) % 3}) m[i] = (coefficient(i, k) - l[i] * m[k]) / l[k];
-  return m;
-}
-
-/// The line that two conics singular at p share, zero if none: the common root of two quadratic forms on a line that
-/// misses p.
-Line shared_line_through(const Point& p, const Conic<Rational>& a, const Conic<Rational>& b) {
-  const int k = nonzero_coordinate(p);
-  const Point u = Point::Unit((k + 1) % 3), v = Point::Unit((k + 2) % 3);
-  const Rational a0 = a(u), a1 = a.polar(u, v), a2 = a(v), b0 = b(u), b1 = b.polar(u, v), b2 = b(v);
-  const Rational c01 = a0 * b1 - a1 * b0, c02 = a0 * b2 - a2 * b0, c12 = a1 * b2 - a2 * b1;
-  if (c02 * c02 != c01 * c12) return Line::Zero();  // common root (s : t): s^2 : s t : t^2 = c12 : -c02 : c01
-  return p.cross(c01 != 0 ? Point(u * Rational(-c02) + v * c01) : u);
-}
-
-/// All members are singular, not all proportional: they share a line or a vertex. At most two members are double lines.
-CertifiedCommonPoints singular_pencil(const Conic<Rational>& a, const Conic<Rational>& b) {
-  CertifiedCommonPoints out;
-  out.rung = Rung::exact;
-  std::vector<Point> vertices;
-  for (const int k : {0, 1, 2, 3}) {
-    const Point vertex = vertex_of(pencil_member(a, Rational(1), b, Rational(k)));
-    if (!is_zero(vertex)) vertices.push_back(vertex);
-  }
-  const Line through_both = vertices[0].cross(vertices[1]);
-  const Line line = is_zero(through_both) ? shared_line_through(vertices[0], a, b) : through_both;
-  if (is_zero(line)) {
-    out.kind = PencilKind::common_vertex;
-    out.points.push_back({scaled(vertices[0]), 4});
-    return out;
-  }
-  out.kind = PencilKind::common_line;
-  out.line = scaled(line);
-  const Point point = other_line(a, line).cross(other_line(b, line));
-  if (line.dot(point) != 0) out.points.push_back({scaled(point), 1});
+/// Pencils whose members are all singular.
+CertifiedCommonPoints certified(const CommonPoints<Rational>& found) {
+  CertifiedCommonPoints out{found.kind, Rung::exact, {}, {}};
+  if (found.count > 0) out.points.push_back({scaled(found.point[0]), found.kind == PencilKind::common_vertex ? 4 : 1});
+  if (found.kind == PencilKind::common_line) out.line = scaled(found.line);
   return out;
 }
-
-// ---- All other pencils ----
 
 /// A conic seen from the point c: coefficients of z^2, z, 1, polynomials of the line through c and x e + f.
 struct Seen {
@@ -147,9 +87,7 @@ std::optional<CertifiedCommonPoints> seen_from(int k, const Conic<Rational>& a, 
 
 CertifiedCommonPoints certified_common_points_exactly(const Conic<Rational>& a, const Conic<Rational>& b) {
   if (exactly_proportional(a, b)) return {PencilKind::same_conic, Rung::exact, {}, {}};
-  const std::array<Rational, 4> determinant = pencil_determinant(a, b);
-  if (std::all_of(determinant.begin(), determinant.end(), [](const Rational& x) { return x == 0; }))
-    return singular_pencil(a, b);
+  if (const auto degenerate = degenerate_common_points_exactly(a, b)) return certified(*degenerate);
   for (int k = 0;; ++k)
     if (auto out = seen_from(k, a, b)) return std::move(*out);
 }

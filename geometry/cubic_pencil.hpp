@@ -2,8 +2,9 @@
 //
 // P on the cubic F, and X = v P + u0 Qi + u1 Qj with two coordinate directions Qi, Qj: then
 //     F(X) = A(u) v^2 + B(u) v + C(u),     A, B, C binary forms in (u0 : u1) of degree 1, 2, 3,
-// and the line u meets the curve in real points where the quartic D = B^2 - 4 A C >= 0. So the real roots of one quartic,
-// with their multiplicities, tell the topology of the curve; and no point of the curve is special, infinity included.
+// and the line u meets the curve in real points where the quartic D = B^2 - 4 A C >= 0. So the real roots of one
+// quartic, with their multiplicities, tell the topology of the curve;
+// and no point of the curve is special, infinity included.
 #pragma once
 
 #include <array>

@@ -29,7 +29,7 @@ struct SingularPoint {
 
 struct PointAtInfinity {
   Point2<double> at;           ///< third coordinate 0
-  LinearForm<double> tangent;  ///< the asymptote, largest entry 1 or -1; zero where the form is singular (a repeated line, too)
+  LinearForm<double> tangent;  ///< the asymptote, largest entry 1 or -1; zero where the form is singular
 };
 
 struct CurveTopology {

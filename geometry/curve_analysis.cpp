@@ -207,8 +207,8 @@ RationalInterval enclosure(Approximate approximate, bool not_zero) {
   }
 }
 
-/// The chart's intervals and event lines, one after the other as u ascends: x = 1 / (u - c) descends from 0 to the least
-/// one, and from the largest one to 0.
+/// The chart's intervals and event lines, one after the other as u ascends: x = 1 / (u - c) descends from 0 to the
+/// least one, and from the largest one to 0.
 class ArcsInPlane {
  public:
   ArcsInPlane(const Form& f, CurveArcs& out)

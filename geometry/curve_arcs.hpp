@@ -2,13 +2,13 @@
 //
 // The plane is turned and scaled by integers a, b:
 //     (x, y) = (a u - b v, b u + a v),     distances are sqrt(a^2 + b^2) times those in (u, v),
-// such that no point at infinity lies on the lines u = constant. Over the open intervals between the critical u the curve
-// consists of arcs v = v_k(u), each a graph, v_0 < v_1 < ..; their number is the same all over an interval. On a critical
-// line they end in points, or pass.
+// such that no point at infinity lies on the lines u = constant. Over the open intervals between the critical u the
+// curve consists of arcs v = v_k(u), each a graph, v_0 < v_1 < ..; their number is the same all over an interval. On a
+// critical line they end in points, or pass.
 //
-// From the same analysis by CGAL as curve_analysis.hpp, in the projective coordinates (1 : v : u - c), c an integer such
-// that the line u = c meets the curve in as many different complex points as its degree. There the order of arcs on a line
-// is that in the plane, or the opposite one for u < c; and arcs that meet at infinity meet on the line at 0.
+// From the same analysis by CGAL as curve_analysis.hpp, in the projective coordinates (1 : v : u - c), c an integer
+// such that the line u = c meets the curve in as many different complex points as its degree. There the order of arcs
+// on a line is that in the plane, or the opposite one for u < c; and arcs that meet at infinity meet on the line at 0.
 #pragma once
 
 #include <optional>
@@ -40,8 +40,8 @@ struct CurveArcs {
   Rung rung = Rung::none;  ///< exact; none: not available, `reason` says why
   std::string reason;
   int a = 1, b = 0;
-  /// G(u, v, 1) = 0: the curve with each factor once and without the line at infinity, in the turned plane. Coefficients
-  /// up to 1.
+  /// G(u, v, 1) = 0: the curve with each factor once and without the line at infinity,
+  /// in the turned plane. Coefficients up to 1.
   TernaryForm<Rational> form;
   std::vector<CriticalLine> lines;          ///< ascending
   std::vector<std::vector<int>> component;  ///< [i][k]: of arc k between lines i - 1 and i

@@ -108,9 +108,9 @@ Complex<T> weierstrass_correction(const CgalPolynomial& p, const std::vector<Com
   return value(p, points[k]) / others;
 }
 
-/// Boxes with one root in each: the discs of radius n |W| about n points hold all roots, and one each if they are disjoint
-/// (B. T. Smith, "Error bounds for zeros of a polynomial based upon Gerschgorin's theorems", J. ACM 17 (1970)). Nothing
-/// where they are not.
+/// Boxes with one root in each: the discs of radius n |W| about n points hold all roots, and one each if they are
+/// disjoint (B. T. Smith, "Error bounds for zeros of a polynomial based upon Gerschgorin's theorems", J. ACM 17
+/// (1970)). Nothing where they are not.
 std::optional<std::vector<Box>> boxes_about(const CgalPolynomial& p, const std::vector<Box>& points) {
   std::vector<Box> out;
   const Real both_sides(-1, 1);

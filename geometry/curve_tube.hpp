@@ -1,14 +1,14 @@
 // The tube test: proof that a plane curve follows a chord.
 //
-// F a form of degree three or less in homogeneous coordinates (Cubic), known to within an error of its coefficients; X, Y
-// two points near the curve, M their middle, d = (Y - X) / 2, n a unit vector, |t| <= T = 1 + r / |d|, |s| <= r. If on the
-// patch M + t d + s n
+// F a form of degree three or less in homogeneous coordinates (Cubic), known to within an error of its coefficients; X,
+// Y two points near the curve, M their middle, d = (Y - X) / 2, n a unit vector, |t| <= T = 1 + r / |d|,
+// |s| <= r. If on the patch M + t d + s n
 //     dF/dn > g > 0    and    |F| <= f <= g r  where s = 0,
 // then for each t there is exactly one s with F = 0, and |s| <= f / g: on the patch the curve is a graph over the
 // chord, within f / g of it. The patch reaches r beyond both ends; so the graphs over two chords with a common end
-// overlap in the disc of radius r about it and are parts of the same branch. That a passage from X to Y on a closed branch
-// is this part and not the rest of the branch is seen from any other point of the branch: it does not lie over the chord.
-// In the plane (z = 1, n in the plane) s is a
+// overlap in the disc of radius r about it and are parts of the same branch. That a passage from X to Y on a closed
+// branch is this part and not the rest of the branch is seen from any other point of the branch: it does not lie over
+// the chord. In the plane (z = 1, n in the plane) s is a
 // distance; on the sphere (X, Y unit vectors, n = X x Y normalised) at most the tangent of an angle over |M|.
 //
 // With D = dF/dd the restriction of F to the chord is the cubic that has the values F and D at both ends,
@@ -38,8 +38,8 @@ class TubeCurve {
   const Cubic<double>& form() const { return f_; }
   /// |gradient(p)| <= bound |p|^2
   double bound() const { return bound_; }
-  /// |gradient(p) computed - true| <= error |p|^2, and so is |F(p) computed - true| <= error |p|^3: six roundings on the
-  /// way to each term of a sum, 2 u each if the processor rounds upward, and those of the dot product with p.
+  /// |gradient(p) computed - true| <= error |p|^2, and so is |F(p) computed - true| <= error |p|^3: six roundings on
+  /// the way to each term of a sum, 2 u each if the processor rounds upward, and those of the dot product with p.
   double error() const { return error_; }
 
  private:

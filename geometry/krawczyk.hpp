@@ -1,7 +1,7 @@
 // Boxes that provably hold exactly one zero of a small square system.
 //
-// Krawczyk's operator (R. Krawczyk, "Newton-Algorithmen zur Bestimmung von Nullstellen mit Fehlerschranken", Computing 4
-// (1969); R. E. Moore, "A test for existence of solutions to nonlinear systems", SIAM J. Numer. Anal. 14 (1977)): for
+// Krawczyk's operator (R. Krawczyk, "Newton-Algorithmen zur Bestimmung von Nullstellen mit Fehlerschranken", Computing
+// 4 (1969); R. E. Moore, "A test for existence of solutions to nonlinear systems", SIAM J. Numer. Anal. 14 (1977)): for
 // F(x) = 0, a point z, a box X around it and any regular matrix Y, if
 //     K(X) = z - Y F(z) + (I - Y F'(X)) (X - z)
 // lies in the interior of X, then X holds exactly one zero of F, and K(X) holds it too.
@@ -53,8 +53,8 @@ Matrix<double, N, N> contraction(const Matrix<double, N, N>& Y, const Matrix<Int
 }  // namespace detail
 
 /// Half widths of a box around the exact point z with exactly one zero; nothing where none could be proved (z is not
-/// near a simple zero, or the system's coefficients are too wide). `centre` encloses z, tightly, and `value` encloses F(z):
-/// where that was found with more precision than Interval has, the box is smaller than a rounding of z.
+/// near a simple zero, or the system's coefficients are too wide). `centre` encloses z, tightly, and `value` encloses
+/// F(z): where that was found with more precision than Interval has, the box is smaller than a rounding of z.
 template <class Interval, class System>
 std::optional<Vector<double, System::size>> krawczyk_radius(const System& system,
                                                             const Vector<Interval, System::size>& centre,

@@ -16,5 +16,7 @@ struct Eigen::NumTraits<burmester::Quad> : Eigen::GenericNumTraits<burmester::Qu
   using Real = burmester::Quad;
   using NonInteger = burmester::Quad;
   using Nested = burmester::Quad;
-  enum { IsComplex = 0, IsInteger = 0, IsSigned = 1, RequireInitialization = 0, ReadCost = 4, AddCost = 40, MulCost = 40 };
+  enum {
+    IsComplex = 0, IsInteger = 0, IsSigned = 1, RequireInitialization = 0, ReadCost = 4, AddCost = 40, MulCost = 40
+  };
 };

@@ -1,10 +1,10 @@
 // Principal axes of a real quadric of space: centre and semi-axes, or vertex and parameters.
 //
-// Chart x3 = 1, where (x0, x1, x2) are Cartesian coordinates x: Q = x^T A x + 2 b^T x + c. The axes are the eigenvectors of
-// A, its eigenvalues l the roots of the discriminating cubic (G. Salmon, "A treatise on the analytic geometry of three
-// dimensions", 1882). With a centre m = -A^-1 b the quadric is sum l_i u_i^2 + Q(m) = 0, u_i = axis[i] . (x - m). A
-// paraboloid has one eigenvalue 0, the direction of its axis. Rounded, not proved: for the class see quadric_class.hpp, for
-// conics conic_class.hpp.
+// Chart x3 = 1, where (x0, x1, x2) are Cartesian coordinates x: Q = x^T A x + 2 b^T x + c. The axes are the
+// eigenvectors of A, its eigenvalues l the roots of the discriminating cubic (G. Salmon, "A treatise on the analytic
+// geometry of three dimensions", 1882). With a centre m = -A^-1 b the quadric is sum l_i u_i^2 + Q(m) = 0, u_i =
+// axis[i] . (x - m). A paraboloid has one eigenvalue 0, the direction of its axis. Rounded, not proved: for the class
+// see quadric_class.hpp, for conics conic_class.hpp.
 #pragma once
 
 #include <array>
@@ -13,9 +13,9 @@
 
 namespace burmester {
 
-/// sum u_i^2 / square[i] = 1, square[0] >= square[1] >= square[2]: squared semi-axes where positive; an ellipsoid has three
-/// of them, hyperboloids of one and two sheets two and one, an imaginary ellipsoid none. The axes are orthonormal,
-/// right-handed.
+/// sum u_i^2 / square[i] = 1, square[0] >= square[1] >= square[2]: squared semi-axes where positive; an ellipsoid has
+/// three of them, hyperboloids of one and two sheets two and one, an imaginary ellipsoid none.
+/// The axes are orthonormal, right-handed.
 struct QuadricAxes {
   Vector<double, 3> centre;
   std::array<Vector<double, 3>, 3> axis;

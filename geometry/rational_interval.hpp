@@ -1,4 +1,5 @@
-// Intervals with rational ends: exact enclosures where intervals of doubles are too coarse. Slow, needs no rounding mode.
+// Intervals with rational ends: exact enclosures where intervals of doubles are too coarse. Slow,
+// needs no rounding mode.
 #pragma once
 
 #include <algorithm>

@@ -30,8 +30,9 @@ Interval enclosed(const Integer& c, int exponent) {
   const Integer size = abs(c);
   const int excess = std::max(0, static_cast<int>(msb(size)) - 52), power = excess - exponent;
   const auto digits = static_cast<double>(Integer(size >> excess));
-  const Interval magnitude = power < -1000 ? Interval(0, 0x1p-900)
-                                           : Interval(digits, excess > 0 ? digits + 1 : digits) * std::ldexp(1.0, power);
+  const Interval magnitude = power < -1000
+                                 ? Interval(0, 0x1p-900)
+                                 : Interval(digits, excess > 0 ? digits + 1 : digits) * std::ldexp(1.0, power);
   return c > 0 ? magnitude : -magnitude;
 }
 

@@ -1,10 +1,11 @@
-// The real roots of a polynomial in one variable, each proved: how many, which multiplicities, boxes as narrow as asked.
+// The real roots of a polynomial in one variable, each proved: how many, which multiplicities,
+// boxes as narrow as asked.
 //
 // First in intervals of doubles (simple_roots.hpp), which settles polynomials whose roots are simple and not too close;
 // else exactly: square-free factors of a primitive integer polynomial, isolation by Descartes' rule on dyadic intervals
 // (G. E. Collins and A. G. Akritas, "Polynomial real root isolation using Descartes' rule of signs", SYMSAC 1976),
-// refinement by the secant with steps that grow quadratically (J. Abbott, "Quadratic interval refinement for real roots",
-// ACM Comm. Computer Algebra 48 (2014)).
+// refinement by the secant with steps that grow quadratically (J. Abbott, "Quadratic interval refinement for real
+// roots", ACM Comm. Computer Algebra 48 (2014)).
 #pragma once
 
 #include <memory>
@@ -48,8 +49,8 @@ class RealRoot {
   /// Narrows the box to this width at most, absolute. Throws std::invalid_argument unless width > 0 and finite.
   void refine(const Rational& width);
   void refine(double width);
-  /// Narrows the box to the square of its width, and to a sixteenth of it at least: for loops that end once it is narrow
-  /// enough. Precondition: not is_point().
+  /// Narrows the box to the square of its width, and to a sixteenth of it at least: for loops that end once it is
+  /// narrow enough. Precondition: not is_point().
   void refine();
 
  private:

@@ -1,12 +1,12 @@
 // The real roots of a binary form F(s, t) = sum c_k s^k t^(N-k) with interval coefficients, when all of them are simple
 // and the intervals are narrow enough to prove it. Only for targets that compile intervals, below an UpwardRounding.
 //
-// Descartes' rule on Bernstein coefficients: the number of roots in an open interval, counted with multiplicities, is the
-// number of sign changes or less by an even number; so none without a change, one with a single one. Otherwise de
+// Descartes' rule on Bernstein coefficients: the number of roots in an open interval, counted with multiplicities, is
+// the number of sign changes or less by an even number; so none without a change, one with a single one. Otherwise de
 // Casteljau's subdivision (J. M. Lane and R. F. Riesenfeld, "Bounds on a polynomial", BIT 21 (1981)). Boxes shrink by
 // the interval Newton operator (R. E. Moore, "Interval Analysis", 1966). Every statement holds for each form with
-// coefficients in the intervals. Two charts cover the projective line: s/t in [-r, r] and t/s in [-1/r, 1/r] with r = 1;
-// with r = 2 or 1/2 where 1 or -1 may be a root. No allocation.
+// coefficients in the intervals. Two charts cover the projective line: s/t in [-r, r] and t/s in [-1/r, 1/r] with r =
+// 1; with r = 2 or 1/2 where 1 or -1 may be a root. No allocation.
 #pragma once
 
 #include <algorithm>
@@ -154,8 +154,8 @@ class ChartRoots {
 
 }  // namespace detail
 
-/// All real roots of the form, each proved simple and alone in its box (roots at infinity too); nothing where that could
-/// not be proved. c[k] is the coefficient of s^k t^(N-k).
+/// All real roots of the form, each proved simple and alone in its box (roots at infinity too); nothing where that
+/// could not be proved. c[k] is the coefficient of s^k t^(N-k).
 template <int N>
 std::optional<SimpleRoots<N>> simple_roots(std::array<Interval, N + 1> c) {
   static_assert(N >= 1 && N <= 16);

@@ -38,7 +38,8 @@ AnchorChoice choose_anchor(FivePoses poses) {
   for (const Pose& p : poses) farthest = std::max({farthest, std::abs(p.x), std::abs(p.y)});
   const double per_turn = out.anchor.turn > 0 ? 1 / out.anchor.turn : 0;
   if (closest > 0)
-    out.noise = unit_roundoff * std::max({1.0, farthest / out.anchor.length, per_turn}) / std::sqrt(std::min(1.0, closest));
+    out.noise =
+        unit_roundoff * std::max({1.0, farthest / out.anchor.length, per_turn}) / std::sqrt(std::min(1.0, closest));
   const bool drowned = closest == 0 && !out.equal_poses;
   if (drowned || out.noise > largest_noise) out.noise = unit_roundoff, out.indistinct = true;
   return out;

@@ -47,9 +47,9 @@ struct RelativeTurn {
   T X3, X4;
 };
 
-/// The smaller of the two is formed so that it cannot cancel, however small: with equal norms, b is close to s a (to the
-/// quarter turn s (a4, -a3) of a, where X4 is the smaller), their difference is exact and nearly orthogonal to what it
-/// is multiplied with; and what is subtracted drops out of the exact result. Over double the relative error of the
+/// The smaller of the two is formed so that it cannot cancel, however small: with equal norms, b is close to s a (to
+/// the quarter turn s (a4, -a3) of a, where X4 is the smaller), their difference is exact and nearly orthogonal to what
+/// it is multiplied with; and what is subtracted drops out of the exact result. Over double the relative error of the
 /// smaller one is then a few unit roundoffs; points of different norms take the error-free products.
 /// P: Pose, or one whose members are T.
 template <class T, class P>
@@ -88,8 +88,8 @@ struct AnchorChoice {
   bool parallel_pair = false;  ///< two poses may have the same orientation: look closer
   /// What rounding the data once (coordinates, X3 and X4) does to the rows of the closest pair, relative to the rows.
   double noise = 0;
-  /// Noise would drown the poses: two of them, or all orientations, agree to within rounding. The doubles are then taken
-  /// as they are (noise is one unit roundoff), and only a certificate makes the answer worth stating.
+  /// Noise would drown the poses: two of them, or all orientations, agree to within rounding. The doubles are then
+  /// taken as they are (noise is one unit roundoff), and only a certificate makes the answer worth stating.
   bool indistinct = false;
 };
 

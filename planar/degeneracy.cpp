@@ -39,10 +39,11 @@ Verdict verdict(FivePoseCase what, FivePoses poses, int real, const std::string&
       return finite(4, real, real > 0 ? plural(real, "real dyad", "real dyads") + " of 4 over the complex numbers"
                                       : "no real dyad exists: all 4 are complex");
     case FivePoseCase::two_orientations:
-      return finite(2, real,
-                    fmt::format("the poses have two orientations only (3 + 2): two of the four dyads lie at infinity, {}",
-                                real > 0 ? plural(real, "real dyad remains", "real dyads remain")
-                                         : "and of the other two none is real"));
+      return finite(
+          2, real,
+          fmt::format(
+              "the poses have two orientations only (3 + 2): two of the four dyads lie at infinity, {}",
+              real > 0 ? plural(real, "real dyad remains", "real dyads remain") : "and of the other two none is real"));
     case FivePoseCase::two_orientations_in_line:
       return nothing("no finite dyad exists: the poses have two orientations only (3 + 2), and the three parallel ones "
                      "lie on a line");

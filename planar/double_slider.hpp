@@ -14,8 +14,8 @@ namespace burmester::planar {
 /// The orientation of the double slider is twice an arc tangent, each within a few units in the last place of pi.
 inline constexpr double rounding_of_angle = 0x1p-47;
 
-/// Nothing for poses of more than one orientation, up to rounding the data once; certified, on request, where the doubles
-/// have one. Precondition: at least one pose.
+/// Nothing for poses of more than one orientation, up to rounding the data once; certified, on request, where the
+/// doubles have one. Precondition: at least one pose.
 inline std::optional<Found<Dyads::Design>> double_slider(std::span<const Pose> poses, bool certify) {
   const Pose& first = poses[0];
   const auto parallel = [&](const Pose& p) { return same_orientation(first, p); };

@@ -6,9 +6,9 @@
 
 namespace burmester::planar {
 
-/// |D p - c|^2 = |p - c|^2 for the displacement D from one pose to another, times the squared norms of their image points:
-/// p and c seen from the first pose's origin, in fixed directions and a unit of length whose inverse is `per_length`.
-/// P: Pose, or one whose members are T.
+/// |D p - c|^2 = |p - c|^2 for the displacement D from one pose to another, times the squared norms of their image
+/// points: p and c seen from the first pose's origin, in fixed directions and a unit of length whose inverse is
+/// `per_length`. P: Pose, or one whose members are T.
 template <class T, class P>
 Correlation<T> equidistance(const P& from, const P& to, double per_length) {
   const auto [s, c] = relative_turn<T>(from, to);

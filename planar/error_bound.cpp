@@ -64,7 +64,9 @@ double line_error(const Line& line, const std::vector<Point>& places) {
 double error_bound(const Dyads::Design& shown, const DyadBox& box, std::span<const Pose> poses, const Pose& reference) {
   const UpwardRounding upward;
   // Distances, not coordinates; roundings upward, and a step outward for those of the square root.
-  const auto moving = [&](const Vector2& p) { return length(off(p[0], 0, box.moving[0]), off(p[1], 0, box.moving[1])); };
+  const auto moving = [&](const Vector2& p) {
+    return length(off(p[0], 0, box.moving[0]), off(p[1], 0, box.moving[1]));
+  };
   const auto fixed = [&](const Vector2& p) {
     return length(off(p[0], reference.x, box.fixed[0]), off(p[1], reference.y, box.fixed[1]));
   };

@@ -1,6 +1,6 @@
 #include "burmester/planar/exact_degeneracy.hpp"
 
-#include "burmester/geometry/common_points.hpp"
+#include "burmester/geometry/degenerate_pencil.hpp"
 #include "burmester/geometry/exact_rank.hpp"
 #include "burmester/geometry/null_space.hpp"
 #include "burmester/geometry/signature.hpp"
@@ -93,83 +93,34 @@ bool is_zero(const ExactConic& c) {
   return std::all_of(c.q.begin(), c.q.end(), [](const Rational& x) { return x == 0; });
 }
 
-bool exactly_proportional(const Plane& p) {
-  for (std::size_t i = 0; i < 6; ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      if (p.a.q[i] * p.b.q[j] != p.a.q[j] * p.b.q[i]) return false;
-  return true;
-}
-
-/// The vertices of up to four members of a pencil of singular conics; double lines, at most two, have none.
-std::vector<Point> vertices(const Plane& p) {
-  std::vector<Point> out;
-  for (const ExactConic& c : {p.a, p.b, pencil_member(p.a, Rational(1), p.b, Rational(1)),
-                              pencil_member(p.a, Rational(1), p.b, Rational(-1))}) {
-    const Adjugate<Rational> adj(c);
-    for (const Point& column : {Point(adj.xx, adj.xy, adj.xz), Point(adj.xy, adj.yy, adj.yz), Point(adj.xz, adj.yz, adj.zz)})
-      if (!column.isZero(0)) {
-        out.push_back(column);
-        break;
-      }
-  }
-  return out;
-}
-
 bool is_dyad(const Anchored<Rational>& w) { return !w.head<5>().isZero(0); }
 
-/// The other line of a conic that holds the line l.
-Point other_line(const ExactConic& c, const Point& l) {
-  const Rational at = l.dot(l);
-  return (c.gradient(l) - (c(l) / at) * l) / at;
-}
-
-/// The line l of members l m, up to proof. They meet in points that move along it: it joins two of them. Where all meet
-/// in one point one member is l l, a double root of the trace of the adjugate.
-Point shared_line(const Plane& p) {
-  const std::vector<Point> v = vertices(p);
-  if (v.size() >= 2 && !v[0].cross(v[1]).isZero(0)) return v[0].cross(v[1]);
-  const std::array<Rational, 3> top = PencilSeparation<Rational>(p.a, p.b).top();
-  const ExactConic twice = top[0] != 0 ? pencil_member(p.a, Rational(-top[1]), p.b, Rational(2 * top[0]))
-                                       : pencil_member(p.a, Rational(2 * top[2]), p.b, Rational(-top[1]));
-  const Matrix<Rational, 3, 3> m = matrix_of(twice);
-  const int row = !m.row(0).isZero(0) ? 0 : !m.row(1).isZero(0) ? 1 : 2;
-  return m.row(row).transpose();
-}
-
-Outcome common_line(const Plane& p) {
-  const Point l = shared_line(p);
-  if (l.isZero(0) || exactly_proportional(p)) return std::nullopt;
+/// Of one type: K0 is zero all along the line or at one point.
+Anchored<Rational> dyad_on(const Point& line, const Plane& p) {
   Point u = Point::Zero(), v = Point::Zero();
-  burmester::detail::span_line(l, u, v);
-  for (const ExactConic& c : {p.a, p.b})
-    if (c(u) != 0 || c(v) != 0 || c.polar(u, v) != 0) return std::nullopt;
-  ExactDegeneracy out;
-  out.family = p.w(u);  // of one type: K0 is zero all along the line or at one point
-  if (out.family[0] == 0 && (p.w(v)[0] != 0 || !is_dyad(out.family))) out.family = p.w(v);
-  const Point apart = other_line(p.a, l).cross(other_line(p.b, l));
-  if (l.dot(apart) != 0) out.isolated.push_back(p.w(apart));
+  burmester::detail::span_line(line, u, v);
+  const Anchored<Rational> first = p.w(u), second = p.w(v);
+  return first[0] == 0 && (second[0] != 0 || !is_dyad(first)) ? second : first;
+}
+
+Outcome common_line(const Plane& p, const CommonPoints<Rational>& shared) {
+  ExactDegeneracy out{{}, dyad_on(shared.line, p)};
+  if (shared.count > 0) out.isolated.push_back(p.w(shared.point[0]));
   return out.isolated.empty() || is_dyad(out.isolated[0]) ? Outcome(out) : std::nullopt;
 }
 
-/// All members are pairs of lines through one point, and no line is in all of them.
-Outcome common_vertex(const Plane& p) {
-  const std::vector<Point> v = vertices(p);
-  if (v.empty() || !p.a.gradient(v[0]).isZero(0) || !p.b.gradient(v[0]).isZero(0)) return std::nullopt;
-  const int k = v[0][0] != 0 ? 0 : v[0][1] != 0 ? 1 : 2;
-  const Point x = Point::Unit((k + 1) % 3), y = Point::Unit((k + 2) % 3);  // a line beside the vertex
-  const Rational a = p.a(x), b = p.a.polar(x, y), c = p.a(y), d = p.b(x), e = p.b.polar(x, y), f = p.b(y);
-  const Rational g = a * f - c * d;
-  if (g * g == (a * e - b * d) * (b * f - c * e) || !is_dyad(p.w(v[0]))) return std::nullopt;  // the resultant
-  return ExactDegeneracy{{p.w(v[0])}, {}};
+Outcome common_vertex(const Plane& p, const Point& vertex) {
+  const Anchored<Rational> w = p.w(vertex);
+  return is_dyad(w) ? Outcome(ExactDegeneracy{{w}, {}}) : std::nullopt;
 }
 
 /// Real points: none of a definite form, the vertex of two complex lines, else infinitely many.
 Outcome one_conic(const Plane& p, bool empty) {
   const ExactConic& c = is_zero(p.a) ? p.b : p.a;
-  if (is_zero(c) || !exactly_proportional(p)) return std::nullopt;
+  if (is_zero(c) || !exactly_proportional(p.a, p.b)) return std::nullopt;
   const Inertia form = *inertia(matrix_of(c));
   const bool definite = std::abs(form.signature) == form.rank;
-  if (definite && form.rank == 2) return proved_if(empty && !is_dyad(p.w(vertices(p)[0])));
+  if (definite && form.rank == 2) return proved_if(empty && !is_dyad(p.w(vertex_of(c))));
   return proved_if(empty == (definite && form.rank == 3));
 }
 
@@ -180,9 +131,11 @@ Outcome degenerate_pencil(FivePoseCase what, FivePoses poses, const Anchor& anch
   if (!(null.smallest_pivot() > 0)) return std::nullopt;
   const auto conics = relation_conics(null.basis, Rational(anchor.turn));
   const Plane plane{null.basis, conics[0], conics[1]};
-  if (what == FivePoseCase::common_line) return common_line(plane);
-  if (what == FivePoseCase::common_vertex) return common_vertex(plane);
-  return one_conic(plane, what == FivePoseCase::empty_conic);
+  const bool line = what == FivePoseCase::common_line;
+  if (!line && what != FivePoseCase::common_vertex) return one_conic(plane, what == FivePoseCase::empty_conic);
+  const auto shared = degenerate_common_points_exactly(plane.a, plane.b);
+  if (!shared || shared->kind != (line ? PencilKind::common_line : PencilKind::common_vertex)) return std::nullopt;
+  return line ? common_line(plane, *shared) : common_vertex(plane, shared->point[0]);
 }
 
 }  // namespace

@@ -37,8 +37,8 @@ struct CertifiedRoots {
   bool degenerate = false;       ///< proved: the doubles are degenerate as roots.what says; boxes of all that is listed
 };
 
-/// For any five poses. Of degenerate ones the kind is proved, or else the number of real dyads of the doubles, if that is
-/// finite; two_orientations are proved like regular poses.
+/// For any five poses. Of degenerate ones the kind is proved, or else the number of real dyads of the doubles, if that
+/// is finite; two_orientations are proved like regular poses.
 CertifiedRoots certified_five_pose_roots(FivePoses poses);
 
 /// The same dyads from roots of quad precision and exact values of the equations: the boxes are then smaller than the
@@ -46,9 +46,9 @@ CertifiedRoots certified_five_pose_roots(FivePoses poses);
 bool sharpen(FivePoses poses, CertifiedRoots& certified);
 
 /// How far what `shown` states (pivots, length, line as in results; length units and radians, all together as one
-/// Euclidean distance) can be from the truth, given that the dyad is in the box. The line of a slider stands for the true
-/// places of its pivot: its angle is off by at most what their distances from the line allow over their spread. Infinite
-/// where the box does not say. For any number of poses.
+/// Euclidean distance) can be from the truth, given that the dyad is in the box. The line of a slider stands for the
+/// true places of its pivot: its angle is off by at most what their distances from the line allow over their spread.
+/// Infinite where the box does not say. For any number of poses.
 double error_bound(const Dyads::Design& shown, const DyadBox& box, std::span<const Pose> poses, const Pose& reference);
 
 /// The interval rung alone: 0, 2 or 4 real dyads, -1 where intervals cannot tell. For tests and benchmarks.

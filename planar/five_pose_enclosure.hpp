@@ -136,9 +136,9 @@ bool different(const Anchored<I>& a, const Anchored<I>& b) {
   return false;
 }
 
-/// One root in its box: as finite pivots where K0 is not small beside the rest, as a point of P^6 otherwise or where that
-/// fails (a far pivot beside one at infinity). `box(system, start)` is a box around the start, a vector of intervals I, or
-/// nothing; system(rows, e) makes the square system.
+/// One root in its box: as finite pivots where K0 is not small beside the rest, as a point of P^6 otherwise or where
+/// that fails (a far pivot beside one at infinity). `box(system, start)` is a box around the start, a vector of
+/// intervals I, or nothing; system(rows, e) makes the square system.
 template <class I, class T, class MakeBox>
 std::optional<Enclosed<I>> enclose_root(const Anchored<T>& w, const Anchor& anchor, const Pose& reference, MakeBox box) {
   int chart = 0;

@@ -59,7 +59,8 @@ Value square(const VariablePose& a, const VariablePose& b) {
 Value circle_discriminant(const VariablePoses& x, const TripleAndPair& at) {
   const auto& [a, b, c] = at.triple;
   const Value area = cross(x[a], x[b], x[c]);
-  return square(x[a], x[b]) * square(x[a], x[c]) * square(x[b], x[c]) - square(x[at.pair[0]], x[at.pair[1]]) * area * area;
+  return square(x[a], x[b]) * square(x[a], x[c]) * square(x[b], x[c]) -
+         square(x[at.pair[0]], x[at.pair[1]]) * area * area;
 }
 
 std::optional<MergeDistance> distance_of(const Value& discriminant, bool appear) {

@@ -4,13 +4,14 @@
 // absolute coordinate for x and y, the norm of its image point for X3 and X4),
 //     d = |D| / sum_i |dD/dx_i| s_i
 // is to first order the least d such that some change of every x_i by at most d s_i makes two dyads coincide (Hoelder's
-// inequality: the sum is the dual of the maximum norm); as d is at most 1e-13 where it is stated, first order is enough.
-// D cancels there and the derivatives must not: quad precision, forward differentiation (geometry/jet.hpp).
+// inequality: the sum is the dual of the maximum norm); as d is at most 1e-13 where it is stated, first order is
+// enough. D cancels there and the derivatives must not: quad precision, forward differentiation (geometry/jet.hpp).
 //
 // D is the discriminant of det(s A + t B), A and B the conics of the five-pose equations. Five poses with two
-// orientations (3 + 2) have two dyads only while they keep them: the moving pivot's circle has the circumradius R of the
-// three parallel origins, the other two are seen to be on it from two places where they are less than 2 R apart. There
-// D = |a|^2 |b|^2 |a - b|^2 - |t|^2 (a x b)^2, a and b the sides of the triple from one origin, t the step of the pair.
+// orientations (3 + 2) have two dyads only while they keep them: the moving pivot's circle has the circumradius R of
+// the three parallel origins, the other two are seen to be on it from two places where they are less than 2 R apart.
+// There D = |a|^2 |b|^2 |a - b|^2 - |t|^2 (a x b)^2, a and b the sides of the triple from one origin,
+// t the step of the pair.
 #pragma once
 
 #include <optional>

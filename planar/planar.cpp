@@ -23,19 +23,9 @@
 namespace burmester::planar {
 namespace {
 
-template <class... S>
-std::vector<SolverInfo> describe_solvers() {
-  return {{S::name, S::answers}...};
-}
-
 ModuleInfo describe() {
-  ModuleInfo info;
-  info.name = Space::name;
-  info.origin = "built in";
-  Dyads::for_each([&]<class D>() { info.dyad_types.push_back(D::name); });
-  info.solvers = describe_solvers<FamilySolver, FourPoseSolver, FivePoseSolver>();
+  ModuleInfo info = built_in<Space, Dyads, FamilySolver, FourPoseSolver, FivePoseSolver>();
   info.csv_headers = {{"x", "y", "angle_deg"}, {"x", "y", "angle_rad"}};
-  info.point_size = 2;
   return info;
 }
 

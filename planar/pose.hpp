@@ -14,8 +14,8 @@ struct Pose {
 Pose pose_from_radians(double x, double y, double angle);
 /// Pose from an angle in degrees, reduced exactly first: 180 deg gives X4 = 0, not 6e-17.
 Pose pose_from_degrees(double x, double y, double angle);
-/// The pose of an arrow drawn on the body, from the origin of E along its x axis, by tail and tip in S: the angle in all
-/// four quadrants, without a trigonometric function. Precondition: they differ.
+/// The pose of an arrow drawn on the body, from the origin of E along its x axis, by tail and tip in S: the angle in
+/// all four quadrants, without a trigonometric function. Precondition: they differ.
 Pose pose_from_arrow(double tail_x, double tail_y, double tip_x, double tip_y);
 /// Angle in radians, in (-pi, pi].
 double angle_of(const Pose& pose);

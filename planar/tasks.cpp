@@ -15,7 +15,8 @@ template <class Angle>
 FivePoseTask with_angles(Random& random, Angle angle, double origin_scale = 1, double offset = 0) {
   FivePoseTask task;
   for (int j = 0; j < 5; ++j)
-    task[j] = pose_from_radians(offset + origin_scale * random.normal(), offset + origin_scale * random.normal(), angle(j));
+    task[j] =
+        pose_from_radians(offset + origin_scale * random.normal(), offset + origin_scale * random.normal(), angle(j));
   return task;
 }
 

@@ -1,6 +1,7 @@
 // What two orientations ask of a dyad: that the angle between its axes is the same in both, a correlation.
 //
-// Seen from pose r, with p = (w, v) = conj(q_r) q_j, its rotation R, the moving axis a in E and the fixed one b' = Qr^T b,
+// Seen from pose r, with p = (w, v) = conj(q_r) q_j, its rotation R,
+// the moving axis a in E and the fixed one b' = Qr^T b,
 //     a^T N b' = 0,   N^T = |p|^2 (R - I) / 2 = w [v]x + v v^T - |v|^2 I
 // (J. M. McCarthy, G. S. Soh, "Geometric Design of Linkages", 2nd ed. 2011). Its vertex is v, the axis of the rotation.
 #pragma once

@@ -15,12 +15,10 @@ struct TurnAxes {
 
 TurnAxes axes_between(FivePoses poses) {
   TurnAxes out;
-  const Quaternion<Rational> back = Space::conjugate<Rational>(Space::point<Rational>(poses[0]));
   for (std::size_t i = 0; i < 5; ++i)
     for (std::size_t j = i + 1; j < 5; ++j) {
-      const auto seen = quaternion_product<Rational>(back, Space::point<Rational>(poses[i]));
       out.moving.push_back(turn_axis(poses[i], poses[j]));
-      out.fixed.push_back(Space::act<Rational>(seen, out.moving.back()));
+      out.fixed.push_back(Space::act<Rational>(relative_rotation<Rational>(poses[0], poses[i]), out.moving.back()));
     }
   return out;
 }

@@ -1,10 +1,10 @@
 // Four orientations: every dyad that meets them, one for each axis of the circle-point cone.
 //
-// An axis a of the body whose four places lie on a circular cone is a circle axis, the cone's axis b a centre axis. Each
-// rotation from one pose gives one bilinear equation (equal_angles.hpp); three of them leave a cubic cone for a in E and
-// one for b in S, paired axis by axis (B. Roth, "On the screw axes and other special lines associated with spatial
-// displacements of a rigid body", 1967; D. A. Ruth, J. M. McCarthy, "The design of spherical 4R linkages for four
-// specified orientations", 1999; equations 9 and 10 of J. Angeles, S. Bai, "A robust solution of the spherical
+// An axis a of the body whose four places lie on a circular cone is a circle axis, the cone's axis b a centre axis.
+// Each rotation from one pose gives one bilinear equation (equal_angles.hpp); three of them leave a cubic cone for a in
+// E and one for b in S, paired axis by axis (B. Roth, "On the screw axes and other special lines associated with
+// spatial displacements of a rigid body", 1967; D. A. Ruth, J. M. McCarthy, "The design of spherical 4R linkages for
+// four specified orientations", 1999; equations 9 and 10 of J. Angeles, S. Bai, "A robust solution of the spherical
 // Burmester problem"). The axes of the six relative rotations lie on them, and the sliders (sliders.hpp). Topology and
 // errors are proved for the doubles given (docs/curves.md).
 #pragma once

@@ -5,8 +5,8 @@
 // plane of the guide.
 // Class of RRRR: with ground g, input a, coupler h, output b and
 //   T1 = g - a + h - b, T2 = g - a - h + b, T3 = h + b - g - a, T4 = 2 pi - g - a - h - b
-// the input turns fully where T1 T2 > 0 and T3 T4 > 0 (J. M. McCarthy, G. S. Soh, "Geometric Design of Linkages", 2nd ed.
-// 2011, section 7.2); for the output exchange a and b. The rule does not depend on which of the two points of each
+// the input turns fully where T1 T2 > 0 and T3 T4 > 0 (J. M. McCarthy, G. S. Soh, "Geometric Design of Linkages", 2nd
+// ed. 2011, section 7.2); for the output exchange a and b. The rule does not depend on which of the two points of each
 // axis is taken. Slider: the same with b = 90 deg.
 #pragma once
 
@@ -19,8 +19,8 @@
 
 namespace burmester::spherical {
 
-/// crank-rocker, rocker-crank, double-crank, double-rocker (the coupler turns fully), triple-rocker, change-point (one of
-/// T1 .. T4 is 0 to within `tolerance`). Arcs in radians, in [0, pi].
+/// crank-rocker, rocker-crank, double-crank, double-rocker (the coupler turns fully), triple-rocker, change-point (one
+/// of T1 .. T4 is 0 to within `tolerance`). Arcs in radians, in [0, pi].
 std::string four_bar_class(double ground, double input, double coupler, double output, double tolerance);
 
 /// All pairs of the dyads, numbered from 1; dyad ids are places in `dyads`, from 1.

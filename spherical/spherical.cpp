@@ -14,24 +14,14 @@
 namespace burmester::spherical {
 namespace {
 
-template <class... S>
-std::vector<SolverInfo> describe_solvers() {
-  return {{S::name, S::answers}...};
-}
-
 ModuleInfo describe() {
-  ModuleInfo info;
-  info.name = Space::name;
-  info.origin = "built in";
-  Dyads::for_each([&]<class D>() { info.dyad_types.push_back(D::name); });
-  info.solvers = describe_solvers<FourPoseSolver, FivePoseSolver, LeastSquaresSolver>();
+  ModuleInfo info = built_in<Space, Dyads, FourPoseSolver, FivePoseSolver, LeastSquaresSolver>();
   info.solvers.insert(info.solvers.begin(),
                       SolverInfo{"two and three orientations, linear",
                                  "the family of dyads with its axes of rotation; the dyad, or the best fits to more "
                                  "orientations, for given fixed and moving axes"});
   info.type_aliases = {{"RP", "PR"}};  // a slider is its own inverse
   info.csv_headers = {{"qw", "qx", "qy", "qz"}};
-  info.point_size = Space::feature_size;
   return info;
 }
 

@@ -133,8 +133,8 @@ void add_batch(CLI::App& app, Program& program) {
       ->check(CLI::Range(0, 256));
   add_plugin_option(*command);
   command->footer(
-      "Reads JSON problems from standard input, writes results (without curves and samples) to standard output, each as "
-      "soon\n"
+      "Reads JSON problems from standard input, writes results (without curves and samples) to standard output, each "
+      "as soon\n"
       "as those before it are out. Every line gets its line: one that cannot be answered, a blank one too, "
       "gives\n"
       "{\"status\": \"error\", \"message\": ..., \"line\": number}, the rest goes on, and the exit code is 2 "

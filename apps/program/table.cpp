@@ -113,8 +113,8 @@ std::string pole_table(const Problem& problem, const std::vector<PoleRecord>& po
     std::vector<Row> rows;
     for (const PoleRecord& p : poles)
       rows.push_back({fmt::format("{}, {}", p.poses[0], p.poses[1]),
-                      number(shown_angle(p.angle, problem.units), digits), point(p.fixed, style), point(p.moving, style),
-                      p.far ? "of " + line_text(*p.far, problem.units, style) : ""});
+                      number(shown_angle(p.angle, problem.units), digits), point(p.fixed, style),
+                      point(p.moving, style), p.far ? "of " + line_text(*p.far, problem.units, style) : ""});
     return rows;
   });
 }
@@ -214,9 +214,10 @@ std::string curves_text(const std::vector<CurveRecord>& curves) {
   std::size_t points = 0;
   double error = 0;
   for (const CurveRecord& curve : curves) points += curve.moving.size(), error = std::max(error, curve.max_error);
-  return fmt::format("\nCurves of pivots: {} pieces, {} pairs, within {:.1g} of the true curves (-o DIR draws them, --json "
-                     "lists them)\n",
-                     curves.size(), points, error);
+  return fmt::format(
+      "\nCurves of pivots: {} pieces, {} pairs, within {:.1g} of the true curves (-o DIR draws them, --json "
+      "lists them)\n",
+      curves.size(), points, error);
 }
 
 std::string task_text(const Problem& problem) {

@@ -121,7 +121,11 @@ json drawing_document(const Drawing& drawing) {
 std::string report_page(const json& result, const Drawing& drawing) {
   std::string page(page_html);
   fill(page, "/*BURMESTER_CSS*/", page_css);
+  fill(page, "/*BURMESTER_TOOLS_JS*/", page_tools_js);
+  fill(page, "/*BURMESTER_REPORT_JS*/", page_report_js);
+  fill(page, "/*BURMESTER_PLANE_JS*/", page_plane_js);
   fill(page, "/*BURMESTER_SPHERE_JS*/", page_sphere_js);
+  fill(page, "/*BURMESTER_WORDS_JS*/", page_words_js);
   fill(page, "/*BURMESTER_JS*/", page_js);
   fill(page, "/*BURMESTER_DATA*/",
        for_script(json_line({{"result", result}, {"drawing", drawing_document(drawing)}})));

@@ -51,9 +51,9 @@ int main(int argc, char** argv) {
     const double median = out.quantile(0.5), tail = out.quantile(0.999);
     const bool ok = out.wrong_count == 0 && out.wrong_type == 0 && median <= limits.median && tail <= limits.tail;
     good = good && ok;
-    fmt::print("{:<18}{:>9}{:>7}{:>6}{:>10.1e}{:>10.1e}{:>10.1e}{:>10.1e}   {:.1e} {:.1e} {}  {} / {} / {}\n", c.name, out.tasks,
-               out.wrong_count, out.wrong_type, median, tail, out.largest, out.floor, limits.median, limits.tail,
-               ok ? "met" : "NOT MET", out.with_real[0], out.with_real[2], out.with_real[4]);
+    fmt::print("{:<18}{:>9}{:>7}{:>6}{:>10.1e}{:>10.1e}{:>10.1e}{:>10.1e}   {:.1e} {:.1e} {}  {} / {} / {}\n", c.name,
+               out.tasks, out.wrong_count, out.wrong_type, median, tail, out.largest, out.floor, limits.median,
+               limits.tail, ok ? "met" : "NOT MET", out.with_real[0], out.with_real[2], out.with_real[4]);
     std::fflush(stdout);
   }
   return good ? 0 : 1;

@@ -1,7 +1,7 @@
 // The certified five-pose answer on many random tasks of every class: what decides, how sharp, at what cost.
 //   study_five_pose_certificate [generic tasks, default 1000000] [tasks of every other class, default 100000]
-// Columns: answers not certified; count decided by intervals and exactly, boxes by intervals and exactly (percent of the
-// tasks; the latter with those computed again because a radius was above 1e-9 of the task size); percentiles of the
+// Columns: answers not certified; count decided by intervals and exactly, boxes by intervals and exactly (percent of
+// the tasks; the latter with those computed again because a radius was above 1e-9 of the task size); percentiles of the
 // largest radius over the task size; CPU time of solving and of solving with proof.
 // Exit code 1 where an answer is not certified, a radius of a generic task is above 1e-9 of the task size for more than
 // 0.1 %, or the median of the certified answer costs ten times the bare roots or more.

@@ -1,9 +1,9 @@
 // The certified answer beside poses with a double dyad: 1e-6 to 1e-15 from them, on both sides.
 //   study_five_pose_double_roots [problems, default 10000]
-// Each problem is a way between two random tasks with different numbers of real dyads. Counted against Sturm's theorem over
-// rationals; true distances by a discriminant in 50 digits (tests/support/double_roots.hpp). Exit code 1 where a certified
-// count is wrong, an answer is not certified though no dyad is double, the warning is missing below 10 units in the last
-// place (2^-53) or given above 1000, or tells the wrong thing.
+// Each problem is a way between two random tasks with different numbers of real dyads. Counted against Sturm's theorem
+// over rationals; true distances by a discriminant in 50 digits (tests/support/double_roots.hpp). Exit code 1 where a
+// certified count is wrong, an answer is not certified though no dyad is double, the warning is missing below 10 units
+// in the last place (2^-53) or given above 1000, or tells the wrong thing.
 #include <fmt/format.h>
 
 #include <cstdlib>

@@ -1,8 +1,9 @@
-// The certified answer for five orientations on many random tasks of every class: what decides, how sharp, at what cost.
-//   study_spherical_certificate [generic tasks, default 100000] [of every other class, default 10000] [checked, default 300]
-// Columns: answers not certified; certified counts that the elimination of five_pose_oracle.hpp finds wrong, among the first
-// `checked` tasks; tasks that intervals decided alone, the others being decided exactly; the largest radius of a task,
-// radians; microseconds of CPU for the roots alone, their proof, and the whole report with both.
+// The certified answer for five orientations on many random tasks of every class: what decides,
+// how sharp, at what cost.
+//   study_spherical_certificate [generic tasks, default 100000] [of every other class, 10000] [checked, 300]
+// Columns: answers not certified; certified counts that the elimination of five_pose_oracle.hpp finds wrong, among the
+// first `checked` tasks; tasks that intervals decided alone, the others being decided exactly; the largest radius of a
+// task, radians; microseconds of CPU for the roots alone, their proof, and the whole report with both.
 // Exit code 1 where a count is wrong, a generic answer is not certified, or more than a fifth of a class.
 #include <fmt/format.h>
 

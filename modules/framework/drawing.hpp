@@ -43,9 +43,10 @@ struct PoseDrawing {
   std::array<double, 2> origin{}, x_axis{}, y_axis{};  ///< axes: unit vectors of the moving frame
 };
 
-/// A polyline on the unit sphere. `role` is one of: ground, link, coupler, guide, block, fixed_axis, moving_axis (single
-/// points); task, body (an attitude that is asked for, one that the coupler takes: y tip, x axis, z tip of the moving
-/// frame, as they pierce the sphere or point from there); path (of the moving x axis), fixed_curve, moving_curve.
+/// A polyline on the unit sphere. `role` is one of: ground, link, coupler, guide, block, fixed_axis, moving_axis
+/// (single points); task, body (an attitude that is asked for, one that the coupler takes: y tip, x axis, z tip of the
+/// moving frame, as they pierce the sphere or point from there); path (of the moving x axis),
+/// fixed_curve, moving_curve.
 struct SphereStroke {
   std::string role;
   std::string label{};
@@ -84,8 +85,8 @@ struct Plate {
   std::array<double, 4> window{};  ///< xmin, ymin, xmax, ymax
 };
 
-/// The constraint surfaces of a linkage's two dyads in the image space, projected. Roles: surface (lines of a wireframe,
-/// the farthest first), axis, curve (the linkage's motion), pose (single points).
+/// The constraint surfaces of a linkage's two dyads in the image space, projected. Roles: surface (lines of a
+/// wireframe, the farthest first), axis, curve (the linkage's motion), pose (single points).
 struct SurfaceDrawing {
   int linkage = 0;
   std::vector<Part> parts;

@@ -29,6 +29,19 @@ struct ModuleInfo {
   std::vector<std::pair<std::string, std::string>> type_aliases{};  ///< asked for and meant: on the sphere RP, PR
 };
 
+/// What the types of a built-in module say of themselves: its pose space, its DyadList, its solvers, each with the two
+/// texts of a SolverInfo.
+template <class Space, class Dyads, class... Solver>
+ModuleInfo built_in() {
+  ModuleInfo info;
+  info.name = Space::name;
+  info.origin = "built in";
+  Dyads::for_each([&]<class D>() { info.dyad_types.push_back(D::name); });
+  info.solvers = {{Solver::name, Solver::answers}...};
+  info.point_size = Space::feature_size;
+  return info;
+}
+
 class Module {
  public:
   virtual ~Module() = default;

@@ -12,7 +12,8 @@ namespace burmester {
 /// Drops dyads that repeat an earlier one, with a warning: of its type, and each pivot within both certified radii and
 /// the rounding of residuals there. `points`: what people call what was given. G: a PivotGeometry (given_pivots.hpp).
 template <class G>
-void drop_repeated(Report<typename G::Dyads>& report, std::span<const typename G::Pose> poses, std::string_view points) {
+void drop_repeated(Report<typename G::Dyads>& report, std::span<const typename G::Pose> poses,
+                   std::string_view points) {
   const std::vector<DyadRecord> records = records_of(report);
   const auto close = [&](const std::vector<double>& p, const std::vector<double>& q, double radii) {
     double square = 0;

@@ -128,7 +128,8 @@ class Construction {
   /// All points but those more than a task size and a half beyond the others; lines and circles run out of the picture.
   Plate frame_up(Sheet& sheet) const {
     if (!moving_)
-      sheet.drawing.caption += " Here the bisectors with M are parallel: the moving pivot is at infinity, the dyad an RP.";
+      sheet.drawing.caption +=
+          " Here the bisectors with M are parallel: the moving pivot is at infinity, the dyad an RP.";
     std::vector<Vector2> core, all;
     for (std::size_t k = 0; k < sheet.drawing.parts.size(); ++k) {
       const std::string& role = sheet.drawing.parts[k].role;

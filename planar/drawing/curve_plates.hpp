@@ -1,5 +1,5 @@
-// Plates for four poses: the two curves with the poles and one linkage, the curves of the dyad form mode by mode, and its
-// compatibility linkage.
+// Plates for four poses: the two curves with the poles and one linkage,
+// the curves of the dyad form mode by mode, and its compatibility linkage.
 #pragma once
 
 #include <span>

@@ -53,7 +53,8 @@ TEST(Inertia, IsThatOfEveryCongruentDiagonal) {
 }
 
 Conic<Rational> conic_of(const Matrix3& m) {
-  return Conic<Rational>({m(0, 0), m(1, 1), m(2, 2), Rational(2 * m(1, 2)), Rational(2 * m(0, 2)), Rational(2 * m(0, 1))});
+  return Conic<Rational>(
+      {m(0, 0), m(1, 1), m(2, 2), Rational(2 * m(1, 2)), Rational(2 * m(0, 2)), Rational(2 * m(0, 1))});
 }
 
 // A and B diagonal in the coordinates m: common points have squares (X, Y, Z) = a x b.
@@ -81,7 +82,8 @@ TEST(ConicCount, TwoWhereACircleMeetsALinePairOnce) {
   const Conic<Rational> circle({Rational(1), Rational(1), Rational(-1), Rational(0), Rational(0), Rational(0)});
   for (int k = 1; k < 9; ++k) {
     const Rational t(k, 10), u(10 + k, 10);
-    const Conic<Rational> lines({Rational(1), Rational(0), Rational(t * u), Rational(0), Rational(-t - u), Rational(0)});
+    const Conic<Rational> lines(
+        {Rational(1), Rational(0), Rational(t * u), Rational(0), Rational(-t - u), Rational(0)});
     EXPECT_EQ(count_common_points(circle, lines), 2) << k;
   }
 }

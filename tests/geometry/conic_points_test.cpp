@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "burmester/geometry/conic_count.hpp"
+#include "burmester/geometry/degenerate_pencil.hpp"
 #include "burmester/geometry/rational_interval.hpp"
 #include "planted_conics.hpp"
 #include "rational.hpp"
@@ -201,6 +202,26 @@ TEST(CertifiedCommonPoints, OfRandomConicsAreAsManyAsCounted) {
   EXPECT_GT(seen[0], 50);
   EXPECT_GT(seen[2], 300);
   EXPECT_GT(seen[4], 50);
+}
+
+/// A change of one coefficient that doubles do not see makes members regular, or conics different.
+TEST(DegeneratePencil, IsToldExactly) {
+  const Rational tiny = Rational(1) / Rational(Integer(1) << 2000);
+  for (const PlantedPencil& planted : pencils()) {
+    const auto degenerate = degenerate_common_points_exactly(conic(planted.a), conic(planted.b));
+    const bool shared = planted.kind == PencilKind::common_line || planted.kind == PencilKind::common_vertex;
+    ASSERT_EQ(degenerate.has_value(), shared) << planted.name;  // those of one conic only: a regular one
+    if (shared) {
+      EXPECT_EQ(degenerate->kind, planted.kind) << planted.name;
+    }
+  }
+  const ConicQ a = conic({0, 0, 0, 0, 0, 1}), b = conic({1, -1, 0, 0, 0, 0});
+  ConicQ c = a;
+  c.q[2] = tiny;
+  EXPECT_EQ(degenerate_common_points_exactly(a, b)->kind, PencilKind::common_vertex);
+  EXPECT_FALSE(degenerate_common_points_exactly(c, b));
+  EXPECT_FALSE(exactly_proportional(a, c));
+  EXPECT_EQ(degenerate_common_points_exactly(a, a)->kind, PencilKind::same_conic);
 }
 
 bool overlap(const ProjectivePointBox& p, const ProjectivePointBox& q) {

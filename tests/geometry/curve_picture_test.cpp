@@ -61,7 +61,8 @@ struct NamedCurve {
 const FourBar four_bars[] = {{5, 2, 5, 4, 5, 1}, {5, 2, 5, 4, 6, -2}, {2, 5, 4, 5, 1, 2},
                              {5, 4, 2, 5, 4, 1}, {6, 3, 4, 4, 2, 1},  {6, 5, 4, 4, -1, 2}};
 
-/// The corpus, the corpus in other coordinates, coupler curves, and random forms. No repeated factors: F changes its sign.
+/// The corpus, the corpus in other coordinates, coupler curves, and random forms. No repeated factors:
+/// F changes its sign.
 std::vector<NamedCurve> curves(const std::string& seed) {
   Random random(seed);
   std::vector<NamedCurve> out;
@@ -236,8 +237,8 @@ TEST(CurvePicture, WhatTheNumberOfSamplesDoesNotAllowIsTold) {
   EXPECT_FALSE(traced.complete);
 }
 
-/// CGAL keeps what it has refined, for all threads: the last digits of the samples may differ, what is said of the curve
-/// not.
+/// CGAL keeps what it has refined, for all threads: the last digits of the samples may differ,
+/// what is said of the curve not.
 TEST(CurvePicture, TwoThreadsTraceAlikeAndTheRoundingModeIsRestored) {
   const auto trace = [] {
     std::vector<TracedCurve> all;

@@ -8,6 +8,7 @@
 
 #include "burmester/geometry/rational.hpp"
 #include "near_degenerate.hpp"
+#include "polynomials.hpp"
 #include "rounding_mode.hpp"
 
 namespace burmester {
@@ -36,9 +37,11 @@ namespace {
 TEST(OwnPredicate, TheExampleOfTheGuide) {
   const double e = 0x1p-52;
   EXPECT_EQ(exact_sign<SignedArea>(std::array<double, 6>{0, 0, 1, 0, 0, 1}), (Sign{1, Rung::doubles}));
-  EXPECT_EQ(exact_sign<SignedArea>(std::array<double, 6>{1, 1, 1 + e, 1 + e, 1 - e, 1 - e}), (Sign{0, Rung::intervals}));
+  EXPECT_EQ(exact_sign<SignedArea>(std::array<double, 6>{1, 1, 1 + e, 1 + e, 1 - e, 1 - e}),
+            (Sign{0, Rung::intervals}));
   EXPECT_EQ(exact_sign<SignedArea>(std::array<double, 6>{1, 1, 3.1, 3.1, 0.7, 0.7}), (Sign{0, Rung::exact}));
-  EXPECT_EQ(exact_sign<SignedArea>(std::array<double, 6>{1, 1, 3.1, 3.1, 0.7, std::nextafter(0.7, 0)}), (Sign{-1, Rung::intervals}));
+  EXPECT_EQ(exact_sign<SignedArea>(std::array<double, 6>{1, 1, 3.1, 3.1, 0.7, std::nextafter(0.7, 0)}),
+            (Sign{-1, Rung::intervals}));
 }
 
 TEST(OwnPredicate, SixPointsOnAConic) {
@@ -97,9 +100,7 @@ TEST(Depth, CountsWhatTheBoundNeeds) {
 
 template <class F>
 class Bound : public testing::Test {};
-using Polynomials = testing::Types<Determinant<2>, Determinant<3>, Determinant<4>, Orientation2, Orientation3,
-                                   InCircle, DyadClosure, SixOnAConic>;
-TYPED_TEST_SUITE(Bound, Polynomials);
+TYPED_TEST_SUITE(Bound, Polynomials<SixOnAConic>);
 
 inline auto near_degenerate(SixOnAConic, Random& random) { return random_arguments<12>(random); }
 

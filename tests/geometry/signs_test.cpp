@@ -11,6 +11,7 @@
 #include "burmester/geometry/rational.hpp"
 #include "burmester/geometry/sign.hpp"
 #include "near_degenerate.hpp"
+#include "polynomials.hpp"
 #include "rounding_mode.hpp"
 
 namespace burmester {
@@ -51,9 +52,7 @@ class EveryPolynomial : public testing::Test {
     return sign.decided_by;
   }
 };
-using Polynomials = testing::Types<Determinant<2>, Determinant<3>, Determinant<4>, Orientation2, Orientation3,
-                                   InCircle, DyadClosure>;
-TYPED_TEST_SUITE(EveryPolynomial, Polynomials);
+TYPED_TEST_SUITE(EveryPolynomial, Polynomials<>);
 
 TYPED_TEST(EveryPolynomial, IsExactOnRandomArguments) {
   Random random(this->stream());

@@ -39,7 +39,8 @@ void expect_proved(const std::array<double, N + 1>& c, const SimpleRoots<N>& roo
   double last = -2;
   for (std::size_t i = 0; i < static_cast<std::size_t>(roots.count); ++i) {
     const ProjectiveBox& box = roots.at[i];
-    EXPECT_LE(sign_of_form<N>(c, box.reciprocal, box.at.low) * sign_of_form<N>(c, box.reciprocal, box.at.high), 0) << label;
+    EXPECT_LE(sign_of_form<N>(c, box.reciprocal, box.at.low) * sign_of_form<N>(c, box.reciprocal, box.at.high), 0)
+        << label;
     const double place = box.reciprocal ? 4 - box.at.high : box.at.low;
     EXPECT_GT(place, last) << label << ": order";
     last = box.reciprocal ? 4 - box.at.low : box.at.high;
@@ -128,7 +129,8 @@ TEST(SimpleRoots, ProveNothingOfDoubleRoots) {
   EXPECT_FALSE(simple_roots<2>({Interval(0), Interval(0), Interval(0)}));
   EXPECT_FALSE(simple_roots<2>({Interval(1), Interval(0), Interval(0)}));                              // at infinity
   EXPECT_FALSE(simple_roots<4>({Interval(1), Interval(0), Interval(-2), Interval(0), Interval(1)}));  // (x^2 - 1)^2
-  const auto complex = simple_roots<4>({Interval(1), Interval(0), Interval(2), Interval(0), Interval(1)});  // (x^2 + 1)^2
+  const auto complex =
+      simple_roots<4>({Interval(1), Interval(0), Interval(2), Interval(0), Interval(1)});  // (x^2 + 1)^2
   ASSERT_TRUE(complex);
   EXPECT_EQ(complex->count, 0);
 }

@@ -51,7 +51,8 @@ void expect_within_radius(const FivePoseTask& task, const std::string& where) {
     if (!rr || !found.certificate.certified) continue;
     Quad least = 1e300;
     for (int k = 0; k < oracle.count; ++k) {
-      const Vector<Quad, 4> y = accuracy::detail::pivots<Quad>(oracle.w[static_cast<std::size_t>(k)], oracle.anchor, reference);
+      const Vector<Quad, 4> y =
+          accuracy::detail::pivots<Quad>(oracle.w[static_cast<std::size_t>(k)], oracle.anchor, reference);
       const Vector<Quad, 4> x{rr->moving[0], rr->moving[1], rr->fixed[0], rr->fixed[1]};
       Quad most = 0;
       for (int i = 0; i < 4; ++i) most = std::max(most, Quad(abs(Quad(x[i] - y[i]))));
@@ -75,7 +76,8 @@ TEST(Certificate, RadiusOfAPlantedSliderCoversIt) {
   Random random(stream);
   int certified = 0;
   for (int i = 0; i < 200; ++i) {
-    // poses that bring the point (m) of E exactly onto the X axis: the true dyad is PR with angle 0 up to their rounding
+    // poses that bring the point (m) of E exactly onto the X axis:
+    // the true dyad is PR with angle 0 up to their rounding
     const Vector2 m{random.normal(), random.normal()};
     FivePoseTask task;
     for (Pose& p : task) {
@@ -100,7 +102,8 @@ TEST(Certificate, RadiusOfAPlantedSliderCoversIt) {
 /// Of the random degenerate tasks these are degenerate exactly, the others within rounding.
 TEST(Certificate, OfDegeneratePosesIsClaimedWhereTheDoublesAreDegenerate) {
   for (const TaskClass& c : degenerate_task_classes()) {
-    const std::string stream = "Certificate.OfDegeneratePosesIsClaimedWhereTheDoublesAreDegenerate." + std::string(c.name);
+    const std::string stream =
+        "Certificate.OfDegeneratePosesIsClaimedWhereTheDoublesAreDegenerate." + std::string(c.name);
     Random random(stream);
     const bool exactly = c.name == "equal_poses" || c.name == "all_parallel" || c.name == "four_parallel" ||
                          c.name == "two_orientations";
@@ -172,9 +175,10 @@ FivePoseTask degrees(const std::array<std::array<double, 3>, 5>& rows) {
 }
 
 TEST(Certificate, HoldsWhereBothConicsAreSingular) {
-  for (const auto& [task, real] : {std::pair(degrees({{{0, -2, 180}, {-1, 0, -90}, {-3, -2, 180}, {0, -2, 0}, {-3, -1, 90}}}), 4),
-                                   std::pair(degrees({{{-2, 1, -90}, {-2, 0, 180}, {1, -2, 90}, {-3, 0, -90}, {2, -1, 90}}}), 4),
-                                   std::pair(degrees({{{0, 2, 90}, {2, 2, 180}, {2, -3, -90}, {2, 2, 90}, {2, 3, -90}}}), -1)}) {
+  for (const auto& [task, real] :
+       {std::pair(degrees({{{0, -2, 180}, {-1, 0, -90}, {-3, -2, 180}, {0, -2, 0}, {-3, -1, 90}}}), 4),
+        std::pair(degrees({{{-2, 1, -90}, {-2, 0, 180}, {1, -2, 90}, {-3, 0, -90}, {2, -1, 90}}}), 4),
+        std::pair(degrees({{{0, 2, 90}, {2, 2, 180}, {2, -3, -90}, {2, 2, 90}, {2, 3, -90}}}), -1)}) {
     Random coordinates("Certificate.HoldsWhereBothConicsAreSingular");
     const int truth = static_cast<int>(exact::count_solutions(task, coordinates).real.distinct);
     const PlanarReport report = FivePoseSolver().solve(task);

@@ -1,5 +1,5 @@
-// Degenerate poses proved: exact tasks of every kind with a proof that an independent rational computation confirms, and
-// rounded ones that claim none.
+// Degenerate poses proved: exact tasks of every kind with a proof that an independent rational computation confirms,
+// and rounded ones that claim none.
 #include "burmester/planar/exact_degeneracy.hpp"
 
 #include <gmock/gmock.h>
@@ -86,7 +86,8 @@ struct Named {
 
 const std::vector<Named>& exact_tasks() {
   static const std::vector<Named> tasks{
-      {"equal", with_turns("aabab", {{{0, 0}, {1, 3}, {3, -2}, {1, 3}, {2, 5}}}), "poses 2 and 4 are equal: in effect 4", 4},
+      {"equal", with_turns("aabab", {{{0, 0}, {1, 3}, {3, -2}, {1, 3}, {2, 5}}}),
+       "poses 2 and 4 are equal: in effect 4", 4},
       {"parallel", with_turns("aaaaa", anywhere), "the double slider PP is the only dyad", 4},
       {"on_a_circle", with_turns("aaaaa", on_circle), "a translation along a circle", 5},
       {"on_a_line", with_turns("aaaaa", on_line), "a translation along a circle or a straight line", 5},
@@ -97,12 +98,18 @@ const std::vector<Named>& exact_tasks() {
       {"four_on_a_circle", with_turns("aaaab", on_circle), "fewer than four independent conditions", 4},
       {"cardan", cardan(), "a one-parameter family of PR dyads", 3},
       {"oldham", oldham(), "a one-parameter family of RP dyads", 3},
-      {"family_of_RR", {Pose{0, -1, 1, 1}, {1, 0, -1, 1}, {0, 1, -1, 1}, {0, -1, 1, 0}, {1, 0, 1, 0}},
-       "a one-parameter family of RR dyads; besides it 1 isolated dyad", 3},
-      {"lines_in_one_point", {Pose{1, 1, 1, 0}, {0, 1, -1, 1}, {0, -1, -1, 1}, {1, 0, -1, 0}, {1, -1, -1, 0}},
-       "a one-parameter family of PR dyads", 3},
-      {"one_conic", {Pose{0, 0, 1, 1}, {-1, 0, 0, 1}, {0, -1, 1, 1}, {0, 0, -1, 0}, {-1, 0, 1, 1}},
-       "a one-parameter family of dyads", 3}};
+      {"family_of_RR",
+       {Pose{0, -1, 1, 1}, {1, 0, -1, 1}, {0, 1, -1, 1}, {0, -1, 1, 0}, {1, 0, 1, 0}},
+       "a one-parameter family of RR dyads; besides it 1 isolated dyad",
+       3},
+      {"lines_in_one_point",
+       {Pose{1, 1, 1, 0}, {0, 1, -1, 1}, {0, -1, -1, 1}, {1, 0, -1, 0}, {1, -1, -1, 0}},
+       "a one-parameter family of PR dyads",
+       3},
+      {"one_conic",
+       {Pose{0, 0, 1, 1}, {-1, 0, 0, 1}, {0, -1, 1, 1}, {0, 0, -1, 0}, {-1, 0, 1, 1}},
+       "a one-parameter family of dyads",
+       3}};
   return tasks;
 }
 
@@ -207,7 +214,8 @@ TEST(ExactTwoOrientations, AreCountedByTheCircleThroughTheTriple) {
   EXPECT_GT(with[1], 20);
 }
 
-/// The fourth orientation equal up to a few units in the last place: told by the pencil, which is |u|^2 times a constant.
+/// The fourth orientation equal up to a few units in the last place: told by the pencil,
+/// which is |u|^2 times a constant.
 TEST(NearlyFourParallel, IsNotCalledAFamily) {
   for (const double degrees : {1e-13, 1e-12}) {
     const PlanarReport report = FivePoseSolver().solve(FivePoseTask{

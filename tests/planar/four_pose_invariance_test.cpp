@@ -27,8 +27,8 @@ Vector2 pivot_of(const Design& design) {
 }
 
 /// Pairs of one task's curves, carried over, are on the exact cubics of the other; sliders and topology follow. Forming
-/// the other task rounds its poses once more: its curves are off by that, amplified near double points and by far pivots
-/// as in docs/dyad_form.md; 1e-10 and, for sliders, which may lie far away, 1e-8 leave room for both.
+/// the other task rounds its poses once more: its curves are off by that, amplified near double points and by far
+/// pivots as in docs/dyad_form.md; 1e-10 and, for sliders, which may lie far away, 1e-8 leave room for both.
 template <class Make>
 void expect_follow(const std::string& seed, Make make) {
   Random random(seed);

@@ -26,8 +26,8 @@ TEST(MergeDistance, IsRightBesideDoubleRoots) {
   EXPECT_LT(out.largest_error, 0.01) << stream;
 }
 
-/// No task may be farther than the filter looks: |discriminant| over rounding against the distance, in units in the last
-/// place. The solver looks up to 2^16 times the rounding, so 100 units are seen while the quotient is below 655.
+/// No task may be farther than the filter looks: |discriminant| over rounding against the distance, in units in the
+/// last place. The solver looks up to 2^16 times the rounding, so 100 units are seen while the quotient is below 655.
 TEST(MergeDistance, IsSeenByTheRoundingEstimate) {
   for (const TaskClass& c : random_task_classes()) {
     const std::string stream = "MergeDistance.IsSeenByTheRoundingEstimate." + std::string(c.name);

@@ -1,4 +1,5 @@
-// Two and three poses, and given pivots: what follows from the geometry of perpendicular bisectors, whatever the formulas.
+// Two and three poses, and given pivots: what follows from the geometry of perpendicular bisectors,
+// whatever the formulas.
 #include "burmester/planar/pivots.hpp"
 
 #include <gtest/gtest.h>
@@ -372,8 +373,8 @@ TEST(GivenPivots, PlacesThatDoNotTellAreNamed) {
     EXPECT_TRUE(std::isfinite(record.residual + record.length.value_or(0)));
 }
 
-// MECH 576, section 5 (three poses, fixed centres (0, 0) and (16, 0)): table 16, equations 14 to 19. x is printed 7.35221,
-// hand calculation; the 15 digits are the exact solution of the printed poses. The coupler is printed 8.2479.
+// MECH 576, section 5 (three poses, fixed centres (0, 0) and (16, 0)): table 16, equations 14 to 19. x is printed
+// 7.35221, hand calculation; the 15 digits are the exact solution of the printed poses. The coupler is printed 8.2479.
 TEST(GivenPivots, Mech576ThreePositionProblem) {
   const Poses poses{pose_from_degrees(-1.221, 22.394, 36.868), pose_from_degrees(12.779, 28.394, -45),
                     pose_from_degrees(8.154, 12.519, 67.38)};

@@ -79,8 +79,8 @@ TEST(PoseFromDegrees, WholeTurnsChangeTheSignAtMost) {
   }
 }
 
-/// MECH 576, "Kinematic Mapping and the Burmester Problem", Eq. 1, which gives the cosine alone and so leaves the sign of
-/// the angle open: here it is that of the arrow.
+/// MECH 576, "Kinematic Mapping and the Burmester Problem", Eq. 1, which gives the cosine alone and so leaves the sign
+/// of the angle open: here it is that of the arrow.
 TEST(PoseFromArrow, HasTheArrowsAngleInAllQuadrants) {
   for (int degrees = -179; degrees <= 180; ++degrees) {
     const double angle = degrees * std::numbers::pi / 180;

@@ -11,7 +11,8 @@ from program import FIVE_POSES, PROGRAM, ProgramTest, main, run, strict_json  # 
 
 def tasks(count):
     stream = random.Random("batch")
-    return [dict(FIVE_POSES, name=f"task {i}", poses=[[stream.uniform(-9, 9), stream.uniform(-9, 9), stream.uniform(-90, 90)]
+    return [dict(FIVE_POSES, name=f"task {i}", poses=[[stream.uniform(-9, 9), stream.uniform(-9, 9),
+                                                       stream.uniform(-90, 90)]
                                                       for _ in range(5)]) for i in range(count)]
 
 
@@ -66,7 +67,8 @@ class Batch(ProgramTest):
     def test_geometry_for_lines_without_one(self):
         problem = {"poses": FIVE_POSES["poses"]}
         self.assertEqual(run("batch", text=lines_of([problem])).returncode, 2)
-        self.assertEqual(strict_json(self.good("batch", "--geometry", "planar", text=lines_of([problem])).stdout)["geometry"], "planar")
+        self.assertEqual(strict_json(self.good("batch", "--geometry", "planar",
+                                               text=lines_of([problem])).stdout)["geometry"], "planar")
 
     def test_no_lines(self):
         self.assertEqual(self.good("batch", text="").stdout, b"")

@@ -24,15 +24,18 @@ class Help(ProgramTest):
             self.assertTrue(mine.endswith("\n"))
 
     def test_bad_usage(self):
-        for arguments in ([], ["sing"], ["--sing"], ["synthesize"], ["synthesize", example("mech576_five_poses"), "--sing"],
+        for arguments in ([], ["sing"], ["--sing"], ["synthesize"],
+                          ["synthesize", example("mech576_five_poses"), "--sing"],
                           ["synthesize", "a", "b"], ["batch", "-j", "x"], ["batch", "-j", "-1"], ["batch", "-j"],
                           ["modules", "x"], ["batch", "--geometry", "flat"], [""], ["synthesize", "-o"]):
             with self.subTest(arguments=arguments):
                 self.assertIn("expected", self.refused(*arguments, text=PROBLEM))
 
     def test_not_available(self):
-        for arguments in (["analyze"], ["analyze", "x.json", "--linkage", "2", "-o", "d", "--json"], ["platform", "x.json"],
-                          ["export", "r.json", "--linkage", "1", "--format", "dxf"], ["reproduce"], ["reproduce", "--list"],
+        for arguments in (["analyze"], ["analyze", "x.json", "--linkage", "2", "-o", "d", "--json"],
+                          ["platform", "x.json"],
+                          ["export", "r.json", "--linkage", "1", "--format", "dxf"], ["reproduce"],
+                          ["reproduce", "--list"],
                           ["modules", "--plugin", "x.so"], ["synthesize", "x.json", "--plugin", "x.so"]):
             with self.subTest(arguments=arguments):
                 self.assertTrue(self.refused(*arguments, code=4).startswith("not available yet: "))
@@ -76,7 +79,8 @@ class Synthesize(ProgramTest):
     def test_types_choose_dyads_and_leave_the_counts(self):
         full = strict_json(self.good("synthesize", example("hayes_2004_rrrp_exact"), "--json").stdout)
         for types in (["PR"], ["RR"], ["PR", "RR"], ["PP"], ["RP", "PP"]):
-            some = strict_json(self.good("synthesize", example("hayes_2004_rrrp_exact"), "--json", "--types", ",".join(types)).stdout)
+            some = strict_json(self.good("synthesize", example("hayes_2004_rrrp_exact"), "--json", "--types",
+                                         ",".join(types)).stdout)
             self.assertEqual(some["solutions"], full["solutions"])
             self.assertEqual(some["dyads"], [d for d in full["dyads"] if d["type"] in types])
             left = {d["id"] for d in some["dyads"]}
@@ -111,7 +115,8 @@ class Folder(ProgramTest):
             answer = self.good("synthesize", example("mech576_five_poses"), "-o", out, "--json")
         self.assertIn(b"report.html", answer.stderr)
         self.assertEqual(sorted(os.listdir(out)), sorted(
-            ["report.html", "result.json", "poses.svg"] + [f"{figure}_{k}.svg" for k in range(1, 7) for figure in ("linkage", "surfaces")]))
+            ["report.html", "result.json", "poses.svg"] + [f"{figure}_{k}.svg" for k in range(1, 7)
+                                                           for figure in ("linkage", "surfaces")]))
         with open(os.path.join(out, "result.json"), "rb") as file:
             self.assertEqual(file.read(), answer.stdout)
         for name in os.listdir(out):

@@ -144,7 +144,8 @@ class Examples(ProgramTest):
         jsonschema.validate(radians, schema("result"))
         self.assertEqual(radians["units"]["angle"], "rad")
         self.assertAlmostEqual(radians["dyads"][3]["line"]["angle"], 1.0471975511965976, delta=1e-12)
-        self.assertAlmostEqual(radians["poses"][2]["angle"], document["poses"][2]["angle"] * 3.141592653589793 / 180, delta=1e-12)
+        self.assertAlmostEqual(radians["poses"][2]["angle"], document["poses"][2]["angle"] * 3.141592653589793 / 180,
+                               delta=1e-12)
 
 
 main()

@@ -18,7 +18,8 @@ SVG = "{http://www.w3.org/2000/svg}"
 
 class PlanarLimit(ProgramTest):
     def app(self, *arguments, text=""):
-        return subprocess.run([RESEARCH, *arguments], input=text.encode(), stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=120)
+        return subprocess.run([RESEARCH, *arguments], input=text.encode(), stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE, timeout=120)
 
     def figure(self, problem):
         with tempfile.TemporaryDirectory() as folder:
@@ -63,9 +64,13 @@ class PlanarLimit(ProgramTest):
 
     def test_wrong_input_is_one_line(self):
         five = example("mech576_five_poses")
-        for arguments, text, words in (([example("angeles_bai_1")], "", "geometry: expected planar"), ([example("mech576_three_poses")], "", "poses: expected 5 poses, got 3"),
-                                       (["-"], "{", "expected"), (["/nowhere.json"], "", "/nowhere.json: expected"), ([], "", "expected"),
-                                       ([five, "--sing"], "", "expected"), ([five, "-o", "/"], "", "-o: expected a file"), ([five, "-o", os.path.join(five, "x")], "", "expected a folder")):
+        for arguments, text, words in (([example("angeles_bai_1")], "", "geometry: expected planar"),
+                                       ([example("mech576_three_poses")], "", "poses: expected 5 poses, got 3"),
+                                       (["-"], "{", "expected"), (["/nowhere.json"], "", "/nowhere.json: expected"),
+                                       ([], "", "expected"),
+                                       ([five, "--sing"], "", "expected"),
+                                       ([five, "-o", "/"], "", "-o: expected a file"),
+                                       ([five, "-o", os.path.join(five, "x")], "", "expected a folder")):
             with self.subTest(arguments=arguments, text=text):
                 answer = self.app(*arguments, text=text)
                 self.assertEqual((answer.returncode, answer.stdout), (2, b""))

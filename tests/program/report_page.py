@@ -13,7 +13,8 @@ BROWSER = shutil.which("chromium") or shutil.which("chromium-browser") or shutil
 if not BROWSER:
     print("no chromium here")
     sys.exit(77)
-FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
+FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
+         "--disable-background-networking",
          "--disable-component-update", "--disable-sync", "--disable-dev-shm-usage", "--enable-logging=stderr",
          "--virtual-time-budget=5000", "--window-size=1300,1000"]
 
@@ -30,7 +31,8 @@ class ReportPage(ProgramTest):
         answer = subprocess.run([BROWSER, *FLAGS, f"--user-data-dir={profile}", "--dump-dom", "file://" + page],
                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=120)
         self.assertEqual(answer.returncode, 0, answer.stderr)
-        return answer.stdout.decode(), [l for l in answer.stderr.decode(errors="replace").splitlines() if ":CONSOLE" in l]
+        return answer.stdout.decode(), [l for l in answer.stderr.decode(errors="replace").splitlines()
+                                        if ":CONSOLE" in l]
 
     def check(self, *arguments, **options):
         self.assertEqual(run("synthesize", *arguments, "-o", self.folder, **options).returncode, 0)
@@ -45,7 +47,8 @@ class ReportPage(ProgramTest):
         return elements, result
 
     def test_examples(self):
-        for name in ("mech576_five_poses", "hayes_2004_rrrp_exact", "hayes_2002_five_positions", "angeles_bai_1", "angeles_bai_2_exact"):
+        for name in ("mech576_five_poses", "hayes_2004_rrrp_exact", "hayes_2002_five_positions", "angeles_bai_1",
+                     "angeles_bai_2_exact"):
             with self.subTest(example=name):
                 elements, result = self.check(example(name))
                 self.assertIn(f'<h1 id="name">{result["name"]}</h1>', elements)
@@ -57,7 +60,8 @@ class ReportPage(ProgramTest):
             text = file.read()
         pictures = []
         for key in ("x", "ArrowLeft"):  # one that means nothing, one that turns
-            press = f"""<script>burmesterReport.select(6); document.getElementById("svg-linkage").dispatchEvent(new KeyboardEvent("keydown", {{key: "{key}"}}));</script></body>"""
+            press = ('<script>burmesterReport.select(6); document.getElementById("svg-linkage")'
+                     f'.dispatchEvent(new KeyboardEvent("keydown", {{key: "{key}"}}));</script></body>')
             with open(page, "w") as file:
                 file.write(text.replace("</body>", press))
             elements, console = self.open(page)

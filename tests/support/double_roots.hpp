@@ -1,9 +1,9 @@
-// Five poses at a known distance from poses with a double dyad, in 50 digits: an oracle for the merge distance that shares
-// nothing with the solver but the family's equations.
+// Five poses at a known distance from poses with a double dyad, in 50 digits: an oracle for the merge distance that
+// shares nothing with the solver but the family's equations.
 //
-// The 20 data (x, y, X3, X4 per pose) as 50-digit numbers; the absolute 5 x 8 system of planar/family.hpp, its null space,
-// the resultant quartic of the two relations in fixed random coordinates, and the quartic's discriminant 4 I^3 - J^2
-// (positive: 0 or 4 real roots, negative: 2). Derivatives by central differences.
+// The 20 data (x, y, X3, X4 per pose) as 50-digit numbers; the absolute 5 x 8 system of planar/family.hpp, its null
+// space, the resultant quartic of the two relations in fixed random coordinates, and the quartic's discriminant 4 I^3 -
+// J^2 (positive: 0 or 4 real roots, negative: 2). Derivatives by central differences.
 #pragma once
 
 #include <algorithm>
@@ -138,8 +138,9 @@ inline Float discriminant(const Data& x) {
   return 4 * I * I * I - J * J;
 }
 
-/// A zero of f between a and b, where f has different signs: bisection, because the resultant also touches zero where two
-/// points of the plane have one abscissa, then the Illinois method (G. Dahlquist, A. Bjoerck, "Numerical Methods", 1974).
+/// A zero of f between a and b, where f has different signs: bisection, because the resultant also touches zero where
+/// two points of the plane have one abscissa, then the Illinois method (G. Dahlquist, A. Bjoerck,
+/// "Numerical Methods", 1974).
 template <class F>
 Float zero_between(Float a, Float b, const F& f) {
   Float fa = f(a), fb = f(b);
