@@ -12,8 +12,8 @@ namespace {
 
 /// Closer than this, rounding of the data changes what is left of them by 2^-18 or more.
 constexpr double indistinct_tolerance = 0x1p-33;
-/// A combination of rows counts as zero when it is below what rounding the data once can make of zero, times this factor
-/// for the additions in between.
+/// A combination of rows counts as zero when it is below what rounding the data once can make of zero, times this
+/// factor for the additions in between.
 constexpr double noise_factor = 256;
 /// Roots of the sextic about 2^-19 apart, real or not, may be a sign of infinitely many dyads: the other path tells.
 constexpr int close_depth = 20;
@@ -133,8 +133,8 @@ FivePoseRoots prepared(FivePoses poses) {
   return out;
 }
 
-/// Whether rounding the data can make the rows dependent: their combination of unit length that is nearest to zero. Only
-/// rows of close orientations, and where the axes nearly agree, are worth less than the doubles that they are made of.
+/// Whether rounding the data can make the rows dependent: their combination of unit length that is nearest to zero.
+/// Only rows of close orientations, and where axes nearly agree, are worth less than the doubles they are made of.
 bool fewer_than_four_conditions(const FivePoseRoots& out) {
   const FivePoseEquations& equations = out.equations;
   const Eigen::JacobiSVD<Eigen::Matrix<double, 9, 4>> svd(equations.rows.transpose(), Eigen::ComputeFullV);

@@ -59,7 +59,7 @@ void list(const std::vector<FoundSlider>& found, SphericalReport& report) {
 }
 
 void add_infinitely_many_sliders(const SliderFamily& family, SphericalReport& report) {
-  static constexpr std::array<const char*, 5> cone{"single axes", "a plane", "a quadric cone", "a cubic cone",
+  static constexpr std::array<const char*, 5> cone{"single axes", "a plane", "a cone of degree 2", "a cone of degree 3",
                                                    "all directions"};
   report.message +=
       fmt::format("; infinitely many sliders, proved: their moving axes fill {}, their fixed axes {}",

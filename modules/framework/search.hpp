@@ -36,8 +36,8 @@ struct Refined {
 inline constexpr double stationary = 1e-7;
 
 /// The nearest local minimum of the sum of squared residuals, each times the weight of its pose (none: 1).
-/// Preconditions: at least D::parameters poses; where weights are very different the heaviest first, the largest about 1
-/// (elimination with sorted rows and pivots by columns is stable row by row: A. J. Cox, N. J. Higham, 1998).
+/// Preconditions: at least D::parameters poses; where weights are very different the heaviest first, the largest about
+/// 1 (elimination with sorted rows and pivots by columns is stable row by row: A. J. Cox, N. J. Higham, 1998).
 template <DyadType D>
 Refined<D> refine(const typename D::Design& start, std::span<const typename D::Space::Pose> poses, int iterations = 100,
                   std::span<const double> weights = {}) {

@@ -143,8 +143,8 @@ struct NamedTask {
 
 /// a1 b1 = a2 b2 = a3 b3 = 0: an axis of the frame, with any one at right angles to it.
 constexpr FourPoseTask half_turns_about_three_axes{Pose{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
-/// z in one place in three orientations, opposite in the fourth: it goes with all axes at right angles, and as fixed axis
-/// too.
+/// z in one place in three orientations, opposite in the fourth: it goes with all axes at right angles, and as fixed
+/// axis too.
 constexpr FourPoseTask one_axis_turned_over{Pose{1, 0, 0, 0}, {1, 0, 0, 1}, {2, 0, 0, 3}, {0, 1, 2, 0}};
 
 const std::array<NamedTask, 5> infinite{{
@@ -160,7 +160,7 @@ TEST(SphericalSliders, InfinitelyManyAreProvedAndNamed) {
   EXPECT_NE(FourPoseSolver()
                 .solve(infinite[3].task)
                 .message.find("infinitely many sliders, proved: their moving axes "
-                              "fill a plane, their fixed axes a quadric cone; 1 "
+                              "fill a plane, their fixed axes a cone of degree 2; 1 "
                               "slider beside them"),
             std::string::npos);
 }
