@@ -1,7 +1,5 @@
 #include "burmester/spherical/exact_axes.hpp"
 
-#include "burmester/geometry/real_roots.hpp"
-
 namespace burmester::spherical {
 namespace {
 
@@ -74,17 +72,12 @@ Box kernel(const Bilinear<Rational>& n, const Box& a) {
 /// Nothing where the boxes do not become narrow: two solutions lie behind each other in this chart.
 std::optional<EnclosedAxes> axes_at(RealRoot& t, const Chart& chart, const MinorPolynomials& forms,
                                     const Bilinear<Rational>& n) {
-  for (int bits = 128; bits <= 1024; bits *= 2) {
-    t.refine(Rational(1, Integer(1) << bits));
-    const RationalInterval at = rounded(t.bounds(), bits);
+  return enclosed_axes(t, n, [&](const RationalInterval& at, int bits) -> std::optional<Box> {
     const auto k = kernel(forms, at, bits);
-    if (!k) continue;
+    if (!k) return std::nullopt;
     const auto& [one, s] = *k;
-    EnclosedAxes out{rounded(from_chart<RationalInterval>(chart, {one, one * at, s}), 2 * bits), {}, t.multiplicity()};
-    out.fixed = kernel(n, out.moving);
-    if (is_narrow(out.moving) && is_narrow(out.fixed)) return out;
-  }
-  return std::nullopt;
+    return from_chart<RationalInterval>(chart, {one, one * at, s});
+  });
 }
 
 /// Nothing where the chart hides something: a root at infinity, a solution at its centre, two solutions behind each
@@ -106,6 +99,19 @@ std::optional<std::vector<EnclosedAxes>> axes_in(const Chart& chart, const Bilin
 }
 
 }  // namespace
+
+std::optional<EnclosedAxes> enclosed_axes(RealRoot& t, const Bilinear<Rational>& equations,
+                                          const MovingAxisAt& moving) {
+  for (int bits = 128; bits <= 1024; bits *= 2) {
+    t.refine(Rational(1, Integer(1) << bits));
+    const auto a = moving(rounded(t.bounds(), bits), bits);
+    if (!a) continue;
+    EnclosedAxes out{rounded(*a, 2 * bits), {}, t.multiplicity()};
+    out.fixed = kernel(equations, out.moving);
+    if (is_narrow(out.moving) && is_narrow(out.fixed)) return out;
+  }
+  return std::nullopt;
+}
 
 std::optional<std::vector<EnclosedAxes>> exact_axes(const Bilinear<Rational>& equations) {
   for (const Chart& chart : charts)

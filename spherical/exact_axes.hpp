@@ -4,10 +4,12 @@
 // is narrowed until both axes are known far beyond doubles. About a millisecond.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
 #include "burmester/geometry/rational_interval.hpp"
+#include "burmester/geometry/real_roots.hpp"
 #include "burmester/spherical/five_pose_sextic.hpp"
 
 namespace burmester::spherical {
@@ -21,5 +23,12 @@ struct EnclosedAxes {
 /// All different real solutions of the equations. Nothing where no chart shows each of them alone: there are infinitely
 /// many, or at one of finitely many the equations are stationary in too many directions.
 std::optional<std::vector<EnclosedAxes>> exact_axes(const Bilinear<Rational>& equations);
+
+/// The moving axis given t within 2^-bits; nothing where that is too wide.
+using MovingAxisAt = std::function<std::optional<Vector<RationalInterval, 3>>(const RationalInterval& t, int bits)>;
+
+/// The solution whose moving axis is `moving` at t: t is refined until both axes are known. Nothing where they do not
+/// become narrow, as where the axis has more than one partner.
+std::optional<EnclosedAxes> enclosed_axes(RealRoot& t, const Bilinear<Rational>& equations, const MovingAxisAt& moving);
 
 }  // namespace burmester::spherical

@@ -102,7 +102,8 @@ FivePoseEquations five_pose_equations(FivePoses poses) {
     if (j == out.reference) continue;
     turns[r] = turn(image(poses[static_cast<std::size_t>(out.reference)]), image(poses[static_cast<std::size_t>(j)]));
     const double size = turns[r].s.norm(), norm = std::hypot(size, turns[r].c);
-    out.closest = std::min(out.closest, size / norm);
+    out.sine[r] = size / norm;
+    out.closest = std::min(out.closest, out.sine[r]);
     if (size > largest) largest = size, z = turns[r].s / size;
     ++r;
   }

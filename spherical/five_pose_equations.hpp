@@ -43,6 +43,7 @@ struct FivePoseEquations {
   double e = 1, d = 1;  ///< powers of two; d = 1 unless the axes nearly agree
   Matrix<double, 3, 3> frame;  ///< of the scaled coordinates, by rows, in S; the identity where d = 1
   Matrix<double, 4, 9> rows;   ///< rows . k = 0 is (4), each row of order 1
+  Vector<double, 4> sine;      ///< of half the angle from the reference pose, for each row
   double closest = 0;          ///< sine of half the smallest angle between two poses
   double spread = 0;           ///< largest |s_j x z|: 0 when all rotations have one axis
 };

@@ -1,19 +1,19 @@
 #include "burmester/spherical/five_pose_roots.hpp"
 
+#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "burmester/geometry/binary_roots.hpp"
-#include "burmester/geometry/null_space.hpp"
 
 namespace burmester::spherical {
 namespace {
 
 /// Closer than this, rounding of the data changes what is left of them by 2^-18 or more.
 constexpr double indistinct_tolerance = 0x1p-33;
-/// A pivot counts as zero when it is below what rounding the data once can make of zero, times this factor for the
-/// additions in between.
+/// A combination of rows counts as zero when it is below what rounding the data once can make of zero, times this
+/// factor for the additions in between.
 constexpr double noise_factor = 256;
 /// Roots of the sextic about 2^-19 apart, real or not, may be a sign of infinitely many dyads: the other path tells.
 constexpr int close_depth = 20;
@@ -133,13 +133,21 @@ FivePoseRoots prepared(FivePoses poses) {
   return out;
 }
 
+/// Whether rounding the data can make the rows dependent: their combination of unit length that is nearest to zero.
+/// Only rows of close orientations, and where axes nearly agree, are worth less than the doubles they are made of.
+bool fewer_than_four_conditions(const FivePoseRoots& out) {
+  const FivePoseEquations& equations = out.equations;
+  const Eigen::JacobiSVD<Eigen::Matrix<double, 9, 4>> svd(equations.rows.transpose(), Eigen::ComputeFullV);
+  const Vector<double, 4> share = svd.matrixV().col(3).cwiseAbs();
+  const double noise = out.indistinct ? 0x1p-53 : 0x1p-52 / equations.d * share.cwiseQuotient(equations.sine).sum();
+  return svd.singularValues()[3] <= noise_factor * noise;
+}
+
 /// Equations of rank three always come here: their fourth pivot is no pivot.
 void take_action_path(FivePoseRoots& out) {
   out.path = FivePosePath::action;
   out.count = 0;
-  const double least = std::min(out.equations.closest, out.equations.spread);
-  const double noise = out.indistinct ? 0x1p-53 : 0x1p-52 / least;
-  if (null_space(out.equations.rows).is_zero(3, noise_factor * noise))
+  if (fewer_than_four_conditions(out))
     out.what = FivePoseCase::rank_deficient;
   else if (!detail::add_action_roots(out))
     out.what = FivePoseCase::infinite;

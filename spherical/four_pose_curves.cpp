@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cassert>
 
 #include "burmester/geometry/paired_curves.hpp"
@@ -48,17 +49,35 @@ std::string degeneracy_of(FourPoses poses) {
   return one_axis_exactly(poses) ? "all rotations have one axis" : "";
 }
 
-void add_sliders(FourPoses poses, SphericalReport& report) {
-  const auto found = sliders(poses);
-  if (!found) {
-    report.message += "; the sliders among them are not decided";
-    return;
-  }
-  report.message += found->empty() ? "; none of them a slider"
-                                   : fmt::format("; {} slider{}", found->size(), found->size() == 1 ? "" : "s");
-  for (const auto& [slider, multiplicity] : *found) {
+std::string counted(std::size_t sliders) { return fmt::format("{} slider{}", sliders, sliders == 1 ? "" : "s"); }
+
+void list(const std::vector<FoundSlider>& found, SphericalReport& report) {
+  for (const auto& [slider, multiplicity] : found) {
     report.dyads.push_back(slider);
     if (multiplicity > 1) report.warnings.push_back(fmt::format("{} sliders coincide", multiplicity));
+  }
+}
+
+void add_infinitely_many_sliders(const SliderFamily& family, SphericalReport& report) {
+  static constexpr std::array<const char*, 5> cone{"single axes", "a plane", "a cone of degree 2", "a cone of degree 3",
+                                                   "all directions"};
+  report.message +=
+      fmt::format("; infinitely many sliders, proved: their moving axes fill {}, their fixed axes {}",
+                  cone[static_cast<std::size_t>(family.moving)], cone[static_cast<std::size_t>(family.fixed)]);
+  report.message += !family.isolated           ? "; whether others exist is not decided"
+                    : family.isolated->empty() ? "; no others exist"
+                                               : fmt::format("; {} beside them", counted(family.isolated->size()));
+  if (family.isolated) list(*family.isolated, report);
+}
+
+void add_sliders(FourPoses poses, SphericalReport& report) {
+  if (const auto found = sliders(poses)) {
+    report.message += found->empty() ? "; none of them a slider" : "; " + counted(found->size());
+    list(*found, report);
+  } else if (const auto family = slider_family(poses)) {
+    add_infinitely_many_sliders(*family, report);
+  } else {
+    report.message += "; the sliders among them are not decided";
   }
 }
 

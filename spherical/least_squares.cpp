@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "burmester/modules/framework/curve_report.hpp"
 #include "burmester/modules/framework/search.hpp"
@@ -19,21 +20,35 @@ namespace {
 constexpr int grid_size = 1500;
 const double grid_spacing = std::sqrt(2 * std::numbers::pi / grid_size), neighbourhood = std::cos(1.6 * grid_spacing);
 
+/// Heaviest orientation first: elimination by rows of very different sizes then loses nothing of the small ones.
 struct Task {
+  std::vector<Pose> poses;
   std::vector<Eigen::Matrix3d> turns;
-  std::vector<double> weights;  ///< with sum 1
+  std::vector<double> weights;  ///< largest 1
+  double sum = 0;               ///< of these
 };
 
-Task task_of(std::span<const Pose> poses, std::span<const double> weights) {
+/// Relative to the largest; `floor` for those that are smaller, but not zero.
+std::vector<double> relative_weights(std::span<const double> weights, std::size_t count,
+                                     double floor = 1 / largest_weight_ratio) {
+  std::vector<double> out(count, 1);
+  if (weights.empty()) return out;
+  const double largest = *std::max_element(weights.begin(), weights.end());
+  for (std::size_t j = 0; j < count; ++j) out[j] = weights[j] > 0 ? std::max(weights[j] / largest, floor) : 0;
+  return out;
+}
+
+Task task_of(std::span<const Pose> poses, const std::vector<double>& weights) {
+  std::vector<std::size_t> order(poses.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return weights[i] > weights[j]; });
   Task task;
-  double sum = 0;
-  for (std::size_t j = 0; j < poses.size(); ++j) {
+  for (const std::size_t j : order) {
     const Eigen::Quaterniond q(poses[j].w, poses[j].x, poses[j].y, poses[j].z);
+    task.poses.push_back(poses[j]);
     task.turns.push_back(q.normalized().toRotationMatrix());
-    task.weights.push_back(weights.empty() ? 1 : weights[j]);
-    sum += task.weights.back();
+    task.weights.push_back(weights[j]), task.sum += weights[j];
   }
-  for (double& w : task.weights) w /= sum;
   return task;
 }
 
@@ -47,15 +62,13 @@ struct Fit {
 template <class D>
 Fit fit(const Task& task, const Axis& a) {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  if constexpr (std::is_same_v<D, RR>)
+    for (std::size_t j = 0; j < task.turns.size(); ++j) mean += task.weights[j] / task.sum * (task.turns[j] * a);
   Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
   for (std::size_t j = 0; j < task.turns.size(); ++j) {
-    const Eigen::Vector3d p = task.turns[j] * a;
-    mean += task.weights[j] * p, scatter += task.weights[j] * p * p.transpose();
+    const Eigen::Vector3d p = task.turns[j] * a - mean;
+    scatter += task.weights[j] * p * p.transpose();
   }
-  if constexpr (std::is_same_v<D, RR>)
-    scatter -= mean * mean.transpose();
-  else
-    mean.setZero();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(scatter);
   const Axis b = axes.eigenvectors().col(0);
   const double cosine = b.dot(mean), sine = std::max(1 - cosine * cosine, 1e-12);
@@ -84,11 +97,11 @@ void add_scanned(const Task& task, std::vector<typename D::Design>& starts) {
 
 /// The dyads nearest to the singular vectors of the lifted rows.
 template <class D>
-void add_lifted(std::span<const Pose> poses, const Task& task, std::vector<typename D::Design>& starts) {
+void add_lifted(const Task& task, std::vector<typename D::Design>& starts) {
   constexpr int columns = std::is_same_v<D, RR> ? Family::dimension : Family::dimension - 1;  // without the arc
-  Eigen::MatrixXd rows(static_cast<Eigen::Index>(poses.size()), columns);
+  Eigen::MatrixXd rows(static_cast<Eigen::Index>(task.poses.size()), columns);
   for (Eigen::Index j = 0; j < rows.rows(); ++j) {
-    const Pose& pose = poses[static_cast<std::size_t>(j)];
+    const Pose& pose = task.poses[static_cast<std::size_t>(j)];
     const double norm = Space::norm<double>(Space::point<double>(pose));
     rows.row(j) = std::sqrt(task.weights[static_cast<std::size_t>(j)]) / norm *
                   Family::row<double>(pose).head<columns>().transpose();
@@ -108,20 +121,33 @@ void add_lifted(std::span<const Pose> poses, const Task& task, std::vector<typen
   }
 }
 
+/// Steps from one start: with unequal weights the heavy orientations leave narrow curved valleys.
+constexpr int steps = 2000;
+
+template <class D>
+std::vector<Found<typename D::Design>> best_from(std::vector<typename D::Design> starts, const Task& task) {
+  add_lifted<D>(task, starts);
+  add_scanned<D>(task, starts);
+  return search_from<D>(starts, task.poses,
+                        {.iterations = steps, .tolerance = exact_residual, .weights = task.weights});
+}
+
+/// With unequal weights the fits with equal ones are starts too: what all orientations meet is found there.
 template <class D>
 std::vector<Found<typename D::Design>> best(std::span<const Pose> poses, std::span<const double> weights) {
-  const Task task = task_of(poses, weights);
+  const std::vector<double> relative = relative_weights(weights, poses.size());
+  std::vector<double> alike = relative;
+  for (double& w : alike) w = w > 0 ? 1 : 0;
   std::vector<typename D::Design> starts;
-  add_lifted<D>(poses, task, starts);
-  add_scanned<D>(task, starts);
-  return search_from<D>(starts, poses, {.tolerance = exact_residual, .weights = task.weights});
+  if (alike != relative)
+    for (const auto& f : best_from<D>({}, task_of(poses, alike))) starts.push_back(f.design);
+  return best_from<D>(std::move(starts), task_of(poses, relative));
 }
 
 double sum_of_squares(const PR::Design& d, std::span<const Pose> poses, std::span<const double> weights) {
   const Eigen::VectorXd r = residuals<PR>(d, poses);
   double sum = 0;
-  for (std::size_t j = 0; j < poses.size(); ++j)
-    sum += (weights.empty() ? 1 : weights[j]) * std::pow(r[static_cast<Eigen::Index>(j)], 2);
+  for (std::size_t j = 0; j < poses.size(); ++j) sum += weights[j] * std::pow(r[static_cast<Eigen::Index>(j)], 2);
   return sum;
 }
 
@@ -150,8 +176,9 @@ std::vector<Found<PR::Design>> best_sliders(std::span<const Pose> poses, std::sp
 std::optional<Found<PR::Design>> best_slider(std::span<const Pose> poses, std::span<const double> weights) {
   const auto all = best_sliders(poses, weights);
   if (all.empty()) return std::nullopt;
+  const std::vector<double> relative = relative_weights(weights, poses.size());
   return *std::min_element(all.begin(), all.end(), [&](const auto& a, const auto& b) {
-    return sum_of_squares(a.design, poses, weights) < sum_of_squares(b.design, poses, weights);
+    return sum_of_squares(a.design, poses, relative) < sum_of_squares(b.design, poses, relative);
   });
 }
 
@@ -168,6 +195,11 @@ void add_best_slider(std::span<const Pose> poses, std::span<const double> weight
 
 SphericalReport LeastSquaresSolver::solve(std::span<const Pose> poses) const {
   SphericalReport report;
+  if (relative_weights(weights, poses.size()) != relative_weights(weights, poses.size(), 0))
+    report.warnings.push_back(
+        fmt::format("weights below {:g} of the largest count as that much: fits that depend on "
+                    "smaller ones cannot be told",
+                    1 / largest_weight_ratio));
   if (const Eigen::Index rank = rank_of(poses); rank <= 2) {
     report.status = Status::degenerate;
     report.message = rank == 1

@@ -5,7 +5,8 @@
 // decoded to dyads, and a scan. For a given moving axis a the places Q_j a are points of the sphere, and the plane that
 // fits them best (through the centre for a slider) gives the fixed axis b and the arc; so what is left is a function of a
 // alone, and its local minima on a grid of the half sphere are starts. Each start is refined by damped Gauss-Newton steps
-// on the angular errors themselves (modules/framework/search.hpp). The slider by the smallest singular vectors alone is
+// on the angular errors themselves (modules/framework/search.hpp). Unequal weights make starts of the fits with equal
+// ones, too. Only the ratios of weights matter, up to largest_weight_ratio. The slider by the smallest singular vectors alone is
 // what J. Angeles, S. Bai, "A robust solution of the spherical Burmester problem", print for their example 2.
 #pragma once
 
@@ -16,6 +17,10 @@
 #include "burmester/spherical/five_pose_solver.hpp"
 
 namespace burmester::spherical {
+
+/// Largest weight over the smallest that is not zero up to which all is well. Smaller weights are raised to that, and a
+/// report says so: in doubles what heavier orientations leave of the errors would hide their effect.
+inline constexpr double largest_weight_ratio = 1e9;
 
 /// The local minima that the starts lead to, those of smallest largest residual first. `weights`: one for each
 /// orientation, not negative, or none. Preconditions: five orientations or more (four for sliders), those of positive

@@ -4,6 +4,7 @@
 // (equations 13 to 15 of J. Angeles, S. Bai, "A robust solution of the spherical Burmester problem", for four attitudes):
 // four bilinear equations, the 4 x 3 matrix with the rows a^T Q_j^T has rank two or less. So they are solved like the
 // dyads of five orientations (five_pose_sextic.hpp), over rationals: all real ones, enclosed and counted exactly.
+// Special orientations, half turns about three axes at right angles for instance, have infinitely many.
 #pragma once
 
 #include <optional>
@@ -25,5 +26,14 @@ struct FoundSlider {
 /// All different real sliders, proved; nothing where that is not decided (exact_axes.hpp): there are infinitely many,
 /// or some that coincide in too many directions.
 std::optional<std::vector<FoundSlider>> sliders(FourPoses poses);
+
+/// Infinitely many sliders, proved.
+struct SliderFamily {
+  int moving = 0, fixed = 0;                         ///< degrees of the cones that their axes fill (axes_family.hpp)
+  std::optional<std::vector<FoundSlider>> isolated;  ///< those in no family, proved; nothing: not decided
+};
+
+/// Nothing where there are finitely many, or that is not decided.
+std::optional<SliderFamily> slider_family(FourPoses poses);
 
 }  // namespace burmester::spherical

@@ -32,8 +32,12 @@ struct Refined {
   bool converged = false;  ///< at a stationary point of the sum of squares, up to the accuracy of differences
 };
 
+/// Converged: of the residuals' norm no larger part is along what the design can change. Differences are good to 1e-10.
+inline constexpr double stationary = 1e-7;
+
 /// The nearest local minimum of the sum of squared residuals, each times the weight of its pose (none: 1).
-/// Precondition: at least D::parameters poses.
+/// Preconditions: at least D::parameters poses; where weights are very different the heaviest first, the largest about
+/// 1 (elimination with sorted rows and pivots by columns is stable row by row: A. J. Cox, N. J. Higham, 1998).
 template <DyadType D>
 Refined<D> refine(const typename D::Design& start, std::span<const typename D::Space::Pose> poses, int iterations = 100,
                   std::span<const double> weights = {}) {
@@ -51,8 +55,10 @@ Refined<D> refine(const typename D::Design& start, std::span<const typename D::S
   for (int i = 0; i < iterations && r.allFinite(); ++i) {
     const Eigen::MatrixXd J = factor.asDiagonal() * design_jacobian<D>(out.design, poses, step);
     if (!J.allFinite()) break;
-    const double slope = (J.transpose() * r).norm(), size = J.norm();
-    out.converged = slope <= 1e-8 * size * r.norm() || r.norm() == 0;
+    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(J);
+    const Eigen::VectorXd along = (qr.householderQ().adjoint() * r).head(p);  // what the design could still take away
+    const double size = J.norm();
+    out.converged = along.norm() <= stationary * r.norm();
     bool better = false;
     for (; !better && damping < 1e8; damping *= 8) {
       Eigen::MatrixXd system = Eigen::MatrixXd::Zero(n + p, p);
@@ -60,7 +66,7 @@ Refined<D> refine(const typename D::Design& start, std::span<const typename D::S
       system.bottomRows(p).diagonal().setConstant(std::sqrt(damping) * size);
       Eigen::VectorXd wanted = Eigen::VectorXd::Zero(n + p);
       wanted.head(n) = -r;
-      const Vector<double, p> u = system.householderQr().solve(wanted);
+      const Vector<double, p> u = system.colPivHouseholderQr().solve(wanted);
       const typename D::Design next = D::nudged(out.design, u);
       const Eigen::VectorXd next_r = weighted(next);
       better = next_r.norm() < r.norm();

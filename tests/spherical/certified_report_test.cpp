@@ -1,8 +1,10 @@
 // What people read of a proof: messages, certificates and verdicts in the reports of FivePoseSolver.
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <numbers>
 
+#include "burmester/spherical/five_pose_oracle.hpp"
 #include "burmester/spherical/five_pose_solver.hpp"
 #include "burmester/spherical/tasks.hpp"
 
@@ -135,6 +137,31 @@ TEST(SphericalReports, IndistinctOrientationsAreAnsweredForTheDoubles) {
   const SphericalReport report = solved(task);
   EXPECT_TRUE(report.counts.certified);
   EXPECT_THAT(report.warnings, ::testing::Contains(HasSubstr("the answer holds for the doubles given")));
+}
+
+/// Two pairs of close orientations and a fifth: the two equations of the second pair nearly agree, but not by rounding.
+TEST(SphericalReports, TwoClosePairsAreRegular) {
+  const std::string stream = "SphericalReports.TwoClosePairsAreRegular";
+  SCOPED_TRACE(stream);
+  Random random(stream);
+  std::vector<FivePoseTask> tasks{{Pose{1, 2, -1, 3},
+                                   {1.00000002, 2.00000001, -1, 2.99999999},
+                                   {2, -1, 1, 1},
+                                   {2, -0.99999997, 0.99999999, 1.00000001},
+                                   {3, 1, 2, 0}}};
+  for (int i = 0; i < 60; ++i) {
+    FivePoseTask task = find_task_class("generic")->make(random);
+    for (const std::size_t j : {0, 2})
+      task[j + 1] = Space::nudged(task[j], std::pow(10, random.uniform(-12, -5)) * Space::random_feature(random));
+    tasks.push_back(task);
+  }
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    const SphericalReport report = solved(tasks[i]);
+    EXPECT_NE(report.status, Status::degenerate) << i << ": " << report.message;
+    EXPECT_TRUE(report.counts.certified) << i << ": " << report.message;
+    EXPECT_EQ(report.counts.real, exact_count(tasks[i])) << i;
+    EXPECT_THAT(FivePoseSolver{.certify = false}.solve(tasks[i]).message, Not(HasSubstr("infinitely many"))) << i;
+  }
 }
 
 TEST(SphericalReports, CoincidingDyadsAreProvedAndNamed) {

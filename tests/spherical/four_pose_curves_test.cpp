@@ -263,9 +263,11 @@ TEST(SphericalFourPoseCurves, HalfTurnsAreOrdinaryAndSymmetricSetsSplit) {
   // half turns about three axes at right angles: xyz = 0, where every pole is a double point
   const FourPoseTask klein{Pose{1, 0, 0, 0}, Pose{0, 1, 0, 0}, Pose{0, 0, 1, 0}, Pose{0, 0, 0, 1}};
   const SphericalReport three = FourPoseSolver().solve(klein);
-  EXPECT_EQ(three.message,
-            "a curve of dyads: circle points and centre points, split into 3 great circles, in 1 component, proved; "
-            "the sliders among them are not decided");
+  EXPECT_EQ(
+      three.message,
+      "a curve of dyads: circle points and centre points, split into 3 great circles, in 1 component, proved; "
+      "infinitely many sliders, proved: their moving axes fill a cone of degree 3, their fixed axes a cone of degree "
+      "3; no others exist");
   for (const CurveRecord& piece : three.curves)
     for (const std::vector<double>& a : piece.moving) EXPECT_LT(std::abs(a[0] * a[1] * a[2]), 1e-15);
   // mirror images of each other in pairs: a great circle and a cone

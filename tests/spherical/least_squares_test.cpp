@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "burmester/modules/framework/search.hpp"
@@ -182,6 +183,68 @@ TEST(SphericalLeastSquares, FollowTheFramesAndForgetOrderAndSign) {
     EXPECT_TRUE(std::any_of(all.begin(), all.end(),
                             [&](const auto& f) { return difference(f.design, fits[0].design) < 1e-5; }));
   }
+}
+
+std::vector<Pose> with_errors(std::vector<Pose> poses, double error, Random& random) {
+  for (Pose& p : poses) p = Space::nudged(p, error * Space::random_feature(random));
+  return poses;
+}
+
+TEST(SphericalLeastSquares, OnlyRatiosOfWeightsMatter) {
+  Random random("SphericalLeastSquares.OnlyRatiosOfWeightsMatter");
+  const std::vector<Pose> poses = with_errors(planted(RR::random_design(random), random, 7), 0.1, random);
+  const std::vector<double> weights{1, 2, 0.5, 0, 3, 1, 1};
+  const auto fits = best_dyads(poses, weights);
+  const auto slider = best_slider(poses, weights);
+  for (const double power : {-300, -150, -20, -1, 1, 20, 150, 300, 307}) {
+    SCOPED_TRACE(power);
+    std::vector<double> scaled = weights;
+    for (double& w : scaled) w *= std::pow(10, power);
+    expect_same<RR>(best_dyads(poses, scaled), fits, [](const RR::Design& d) { return d; });
+    EXPECT_LT(difference(best_slider(poses, scaled)->design, slider->design), 1e-7);
+  }
+}
+
+/// Weights above largest_weight_ratio as that much.
+double weighted_sum(const RR::Design& d, std::span<const Pose> poses, std::span<const double> weights) {
+  double sum = 0;
+  for (std::size_t j = 0; j < poses.size(); ++j)
+    sum += std::min(weights[j], largest_weight_ratio) * std::pow(RR::residual(d, poses[j]), 2);
+  return sum;
+}
+
+/// Any number of heavy orientations: fewer than five leave the dyad to the light ones.
+TEST(SphericalLeastSquares, VeryDifferentWeightsFindThePlantedDyadOnce) {
+  Random random("SphericalLeastSquares.VeryDifferentWeightsFindThePlantedDyadOnce");
+  constexpr double error = 1e-4;
+  for (const double ratio : {1e6, 1e9})
+    for (const std::size_t heavy : {3, 4, 6}) {
+      SCOPED_TRACE(testing::Message() << ratio << ' ' << heavy);
+      const RR::Design d = RR::random_design(random);
+      const std::vector<Pose> exact = planted(d, random, 8), poses = with_errors(exact, error, random);
+      std::vector<double> weights(8, 1);
+      std::fill_n(weights.begin(), heavy, ratio);
+      const auto fits = best_dyads(poses, weights), met = best_dyads(exact, weights);
+      EXPECT_TRUE(std::any_of(fits.begin(), fits.end(), [&](const auto& f) {
+        return weighted_sum(f.design, poses, weights) <= weighted_sum(d, poses, weights);
+      }));
+      EXPECT_TRUE(std::any_of(met.begin(), met.end(), [&](const auto& f) {
+        return f.residual < exact_residual && difference(f.design, d) < 1e-9;
+      }));
+      for (std::size_t i = 0; i < fits.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) EXPECT_GT(difference(fits[i].design, fits[j].design), 1e-4);
+    }
+}
+
+TEST(SphericalLeastSquares, WeightsBeyondTheLargestRatioAreTold) {
+  Random random("SphericalLeastSquares.WeightsBeyondTheLargestRatioAreTold");
+  const std::vector<Pose> poses = random_poses(random, 6);
+  const auto warnings = [&](double heaviest) {
+    return LeastSquaresSolver{{heaviest, 1, 1, 1, 1, 1}}.solve(poses).warnings.size();
+  };
+  EXPECT_EQ(warnings(largest_weight_ratio), 0u);
+  EXPECT_EQ(warnings(2 * largest_weight_ratio), 1u);
+  EXPECT_EQ(warnings(std::numeric_limits<double>::max()), 1u);
 }
 
 TEST(SphericalLeastSquares, DegenerateOrientationsAreNamed) {

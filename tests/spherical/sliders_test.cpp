@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "burmester/modules/framework/condition.hpp"
 #include "burmester/modules/framework/search.hpp"
 #include "burmester/spherical/four_pose_curves.hpp"
 #include "spherical_examples.hpp"
@@ -122,9 +123,87 @@ TEST(SphericalSliders, FollowTheFramesAndExchangeTheirAxesUnderInversion) {
   }
 }
 
-TEST(SphericalSliders, OfHalfTurnsAboutThreeAxesAreInfinitelyMany) {
-  const FourPoseTask klein{Pose{1, 0, 0, 0}, Pose{0, 1, 0, 0}, Pose{0, 0, 1, 0}, Pose{0, 0, 0, 1}};
-  EXPECT_FALSE(sliders(klein));  // a1 b1 = a2 b2 = a3 b3 = 0: an axis of the frame, with any one at right angles to it
+struct Degrees {
+  int moving, fixed, isolated;
+  bool operator==(const Degrees&) const = default;
+};
+
+/// Of the families; zeros where none is proved.
+Degrees degrees_of(const FourPoseTask& task) {
+  if (sliders(task)) return {};
+  const auto family = slider_family(task);
+  if (!family) return {};
+  return {family->moving, family->fixed, family->isolated ? static_cast<int>(family->isolated->size()) : -1};
+}
+
+struct NamedTask {
+  FourPoseTask task;
+  Degrees degrees;
+};
+
+/// a1 b1 = a2 b2 = a3 b3 = 0: an axis of the frame, with any one at right angles to it.
+constexpr FourPoseTask half_turns_about_three_axes{Pose{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
+/// z in one place in three orientations, opposite in the fourth: it goes with all axes at right angles, and as fixed
+/// axis too.
+constexpr FourPoseTask one_axis_turned_over{Pose{1, 0, 0, 0}, {1, 0, 0, 1}, {2, 0, 0, 3}, {0, 1, 2, 0}};
+
+const std::array<NamedTask, 5> infinite{{
+    {half_turns_about_three_axes, {3, 3, 0}},
+    {one_axis_turned_over, {1, 1, 0}},
+    {{Pose{0, -1, 0, -1}, {1, -1, -1, -1}, {1, 0, -1, 0}, {0, 1, 0, -1}}, {1, 1, 0}},
+    {{Pose{1, -1, -1, 0}, {1, 0, 1, -1}, {1, 0, 0, -1}, {0, -1, -1, 0}}, {1, 2, 1}},
+    {{Pose{-1, 0, -1, 0}, {-1, 0, 1, 0}, {1, -1, -1, -1}, {1, -1, 1, 1}}, {2, 2, 0}},
+}};
+
+TEST(SphericalSliders, InfinitelyManyAreProvedAndNamed) {
+  for (const NamedTask& named : infinite) EXPECT_EQ(degrees_of(named.task), named.degrees);
+  EXPECT_NE(FourPoseSolver()
+                .solve(infinite[3].task)
+                .message.find("infinitely many sliders, proved: their moving axes "
+                              "fill a plane, their fixed axes a cone of degree 2; 1 "
+                              "slider beside them"),
+            std::string::npos);
+}
+
+/// Those with a regular Jacobian are in no family.
+TEST(SphericalSliders, BesideAFamilyAreThoseThatASearchFinds) {
+  for (const NamedTask& named : infinite) {
+    int isolated = 0;
+    for (const auto& found : search<PR>(named.task, {.starts = 60}))
+      isolated += std::isfinite(condition<PR>(found.design, named.task));
+    EXPECT_EQ(isolated, named.degrees.isolated);
+  }
+  const auto family = slider_family(infinite[3].task);
+  ASSERT_TRUE(family && family->isolated && family->isolated->size() == 1);
+  const Found<Dyads::Design>& slider = family->isolated->front().slider;
+  EXPECT_LT(slider.residual, 1e-15);
+  EXPECT_TRUE(slider.certificate.certified);
+}
+
+TEST(SphericalSliders, FamiliesFollowTheFramesAndExchangeTheirAxesUnderInversion) {
+  Random random("SphericalSliders.FamiliesFollowTheFramesAndExchangeTheirAxesUnderInversion");
+  const auto integers = [&](int size) {
+    Pose p{0, 0, 0, 0};
+    const auto any = [&] { return static_cast<double>(random.below(2 * size + 1) - size); };
+    while (Space::norm<double>(Space::point<double>(p)) == 0) p = {any(), any(), any(), any()};
+    return p;
+  };
+  int families = 0;
+  for (int i = 0; i < 80; ++i) {
+    FourPoseTask task, turned, inverted;
+    for (Pose& p : task) p = integers(1);
+    const auto g = Space::point<double>(integers(5)), h = Space::point<double>(integers(5));
+    for (std::size_t j = 0; j < 4; ++j) {  // products of small integers: exact
+      const auto x = Space::point<double>(task[j]);
+      turned[j] = Space::pose(quaternion_product<double>(quaternion_product<double>(g, x), h));
+      inverted[j] = Space::pose(Space::conjugate<double>(x));
+    }
+    const Degrees degrees = degrees_of(task), inverse = degrees_of(inverted);
+    families += degrees.moving > 0;
+    EXPECT_EQ(degrees_of(turned), degrees) << i;
+    EXPECT_EQ(inverse, (Degrees{degrees.fixed, degrees.moving, degrees.isolated})) << i;
+  }
+  EXPECT_GT(families, 8);
 }
 
 /// Example 2 of J. Angeles, S. Bai, "A robust solution of the spherical Burmester problem": its five attitudes moved by
