@@ -21,9 +21,12 @@ Point2<double> onto(Surface surface, const Point2<double>& c) {
 }
 
 /// The gradient along the surface.
-Point2<double> slope_at(Surface surface, const Point2<double>& c, const Vector<double, 3>& gradient) {
+template <class T>
+Point2<double> slope_at(Surface surface, const Cubic<T>& f, const Point2<double>& c) {
+  const Vector<T, 3> gradient = f.gradient(c.cast<T>());
   const auto t = tangents(surface, c);
-  return t * (t.transpose() * gradient);
+  return t *
+         (t.transpose() * Point2<double>(approximate(gradient[0]), approximate(gradient[1]), approximate(gradient[2])));
 }
 
 /// A place of a polyline.
@@ -81,11 +84,13 @@ std::vector<Place> starts(Surface surface, const std::vector<CurvePiece>& pieces
 }
 
 /// Steps towards the curve along the gradient, if they lead nearer; at double points they may not.
-Point2<double> projected(Surface surface, const Cubic<double>& f, Point2<double> c) {
+template <class T>
+Point2<double> projected(Surface surface, const Cubic<T>& f, Point2<double> c) {
+  const auto size = [&](const Point2<double>& p) { return approximate(f(p.cast<T>())); };
   for (int i = 0; i < 4; ++i) {
-    const Point2<double> slope = slope_at(surface, c, f.gradient(c));
-    const Point2<double> next = onto(surface, c - f(c) / slope.squaredNorm() * slope);
-    if (!(std::abs(f(next)) < std::abs(f(c)))) break;
+    const Point2<double> slope = slope_at(surface, f, c);
+    const Point2<double> next = onto(surface, c - size(c) / slope.squaredNorm() * slope);
+    if (!((next - c).norm() <= farthest) || !(std::abs(size(next)) < std::abs(size(c)))) break;
     c = next;
   }
   return c;
@@ -95,7 +100,7 @@ Point2<double> projected(Surface surface, const Cubic<double>& f, Point2<double>
 std::optional<Point2<double>> stationary(Surface surface, const Cubic<double>& f, const Point2<double>& q,
                                          const Point2<double>& start) {
   Point2<double> c = start;
-  const Point2<double> first = slope_at(surface, c, f.gradient(c));
+  const Point2<double> first = slope_at(surface, f, c);
   double lambda = (q - c).dot(first) / first.squaredNorm();
   for (int i = 0; i < 20; ++i) {
     const auto t = tangents(surface, c);
@@ -118,8 +123,10 @@ std::optional<Point2<double>> stationary(Surface surface, const Cubic<double>& f
 
 }  // namespace
 
-std::optional<NearestPoint> nearest_point(Surface surface, const Cubic<double>& f,
+std::optional<NearestPoint> nearest_point(Surface surface, const Cubic<Rational>& exact,
                                           const std::vector<CurvePiece>& pieces, const Point2<double>& q) {
+  Cubic<double> f;
+  for (std::size_t k = 0; k < f.c.size(); ++k) f.c[k] = approximate(exact.c[k]);
   std::optional<NearestPoint> best;
   const auto distance = [&](const Point2<double>& c) { return (c - q).norm(); };
   for (const Place& place : starts(surface, pieces, q)) {
@@ -128,13 +135,12 @@ std::optional<NearestPoint> nearest_point(Surface surface, const Cubic<double>& 
     if (const auto s = stationary(surface, f, q, place.at); s && distance(*s) <= distance(c) * (1 + 0x1p-40)) c = *s;
     if (!best || distance(c) < distance(best->at)) best = {c, place.end};
   }
+  if (best) best->at = projected(surface, exact, best->at);
   return best;
 }
 
 std::optional<Point2<RationalInterval>> crossing(Surface surface, const Cubic<Rational>& f, const Point2<double>& c) {
-  const Point2<Rational> exact = f.gradient(c.cast<Rational>());
-  const Vector<double, 3> gradient(approximate(exact[0]), approximate(exact[1]), approximate(exact[2]));
-  const Point2<double> normal = slope_at(surface, c, gradient).normalized();
+  const Point2<double> normal = slope_at(surface, f, c).normalized();
   for (double reach = unit_roundoff * (1 + c.norm()); reach < 1e-6; reach *= 4) {
     const Point2<double> a = c - reach * normal, b = c + reach * normal;
     if (f(a.cast<Rational>()) * f(b.cast<Rational>()) > 0) continue;

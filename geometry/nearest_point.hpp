@@ -22,14 +22,14 @@ namespace burmester {
 enum class Surface { plane, sphere };
 
 struct NearestPoint {
-  Point2<double> at;  ///< on the surface, on the sphere on the side of q; F(at) = 0 but for rounding
+  Point2<double> at;  ///< on the surface, on the sphere on the side of q; F(at) = 0 but for the rounding of `at`
   bool end;           ///< of an open piece: the curve goes on where nothing is traced
 };
 
 /// Nearest to q among the points of the curve that `pieces` follow; nothing where there are no pieces. Newton's method
 /// starts from each place of them that is nearest but for their errors; where it leads away, or farther from q, the place
 /// itself is put on the curve. Chords up to 0.25 long.
-std::optional<NearestPoint> nearest_point(Surface surface, const Cubic<double>& f,
+std::optional<NearestPoint> nearest_point(Surface surface, const Cubic<Rational>& f,
                                           const std::vector<CurvePiece>& pieces, const Point2<double>& q);
 
 /// A box around a segment through c, across the curve, as short as exact signs allow: F has opposite signs at its ends, so

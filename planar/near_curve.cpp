@@ -29,18 +29,23 @@ class Centres {
   static bool finite(const Point2<RationalInterval>& partner) { return !contains_zero(partner[2]); }
 
   /// A slider where the partner is at infinity.
-  template <class T>
-  Found<Dyads::Design> dyad(const Point2<T>& c, const Point2<T>& p) const {
-    const Vector2 at = length_ * Vector2(approximate(c[0]), approximate(c[1])) + Vector2(poses_[0].x, poses_[0].y);
-    const Point2<double> near_p(approximate(p[0]), approximate(p[1]), approximate(p[2]));
-    if (!(std::abs(near_p[2]) > 256 * unit_roundoff * near_p.norm()))
-      return judged({}, Body::fixed, at, true, poses_, false);
-    const T unit(length_);
-    const PivotPair<T> pair{{T(unit * p[0] / p[2]), T(unit * p[1] / p[2])}, {T(unit * c[0]), T(unit * c[1])}};
-    return judged(enclosed(pair, poses_[0]), Body::fixed, at, false, poses_, std::is_same_v<T, RationalInterval>);
+  Found<Dyads::Design> dyad(const Point2<double>& c, const Point2<Rational>& p,
+                            const std::optional<PairBox>& box) const {
+    const Vector2 at = length_ * c.head<2>() + Vector2(poses_[0].x, poses_[0].y);
+    const bool far =
+        !(std::abs(approximate(p[2])) > 256 * unit_roundoff * std::hypot(approximate(p[0]), approximate(p[1])));
+    if (far) return judged({}, Body::fixed, at, true, poses_, false);
+    EnclosedDyad found = enclosed(pair_of<Rational>(c.cast<Rational>(), p), poses_[0]);
+    if (box) found.box = enclosed(pair_of(box->centre, box->partner), poses_[0]).box;
+    return judged(found, Body::fixed, at, false, poses_, box.has_value());
   }
 
  private:
+  template <class T>
+  PivotPair<T> pair_of(const Point2<T>& c, const Point2<T>& p) const {
+    const T unit(length_);
+    return {{T(unit * p[0] / p[2]), T(unit * p[1] / p[2])}, {T(unit * c[0]), T(unit * c[1])}};
+  }
   FourPoses poses_;
   double length_;
 };

@@ -1,7 +1,6 @@
 #include "burmester/spherical/near_curve.hpp"
 
 #include <cmath>
-#include <type_traits>
 
 #include "burmester/spherical/five_pose_certificate.hpp"
 #include "burmester/spherical/four_pose_frames.hpp"
@@ -9,11 +8,6 @@
 
 namespace burmester::spherical {
 namespace {
-
-template <class T>
-Point2<double> near_one(const Point2<T>& p) {
-  return {approximate(p[0]), approximate(p[1]), approximate(p[2])};
-}
 
 std::array<Range, 3> ranges(const Point2<RationalInterval>& p) {
   return {range_of(p[0]), range_of(p[1]), range_of(p[2])};
@@ -40,13 +34,13 @@ class Centres {
   }
   static bool finite(const Point2<RationalInterval>& partner) { return !detail::may_vanish(partner); }
 
-  template <class T>
-  Found<Dyads::Design> dyad(const Point2<T>& b, const Point2<T>& a) const {
-    auto found = judged(frames_.fixed(near_one(b)), frames_.moving(near_one(a)), Body::fixed, poses_);
-    if constexpr (std::is_same_v<T, RationalInterval>) {
-      const AxesBox box{.moving = ranges(a), .fixed = ranges(b), .rung = Rung::exact};
-      if (const double radius = error_bound(found.design, box, frames_.reference()); std::isfinite(radius))
-        found.certificate = {true, radius, box.rung};
+  Found<Dyads::Design> dyad(const Point2<double>& b, const Point2<Rational>& a,
+                            const std::optional<PairBox>& box) const {
+    auto found = judged(frames_.fixed(b), frames_.moving(detail::to_double(a)), Body::fixed, poses_);
+    if (box) {
+      const AxesBox axes{.moving = ranges(box->partner), .fixed = ranges(box->centre), .rung = Rung::exact};
+      if (const double radius = error_bound(found.design, axes, frames_.reference()); std::isfinite(radius))
+        found.certificate = {true, radius, axes.rung};
     }
     return found;
   }

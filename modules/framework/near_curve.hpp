@@ -10,14 +10,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
+#include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "burmester/geometry/nearest_point.hpp"
 #include "burmester/modules/framework/given_pivots.hpp"
-#include "burmester/modules/framework/input.hpp"
 #include "burmester/modules/framework/repeated.hpp"
 
 namespace burmester {
@@ -28,18 +31,23 @@ struct NearDyads {
   std::vector<std::string> warnings;  ///< of points without a dyad, and where the trace ends: "near[0]: .."
 };
 
+/// A centre point and its partner, each in a box.
+struct PairBox {
+  Point2<RationalInterval> centre, partner;
+};
+
 /// Four poses as centre points see them: the geometry's part.
 template <class Task>
 concept CentrePoints = PivotGeometry<typename Task::Pivots> &&
-    requires(const Task task, const std::vector<double> fixed, const Point2<Rational> exact,
-             const Point2<RationalInterval> enclosed) {
+    requires(const Task task, const std::vector<double> fixed, const Point2<double> centre,
+             const Point2<Rational> partner, const std::optional<PairBox> box) {
   { Task::surface } -> std::convertible_to<Surface>;
   { task.length() } -> std::same_as<double>;             ///< the unit of length on the surface
   { task.seen(fixed) } -> std::same_as<Point2<double>>;  ///< a fixed pivot, on the surface
   task.template correlations<Rational>();                ///< three, c^T N^T p = 0 for the partner p of c
-  { Task::finite(enclosed) } -> std::same_as<bool>;      ///< whether this box holds nothing but partners
-  { task.dyad(exact, exact) } -> std::same_as<Found<typename Task::Pivots::Dyads::Design>>;        ///< of c and p
-  { task.dyad(enclosed, enclosed) } -> std::same_as<Found<typename Task::Pivots::Dyads::Design>>;  ///< and certified
+  { Task::finite(box->partner) } -> std::same_as<bool>;  ///< whether all in this box are partners of RR dyads
+  /// The dyad as it is listed, a slider with its departure; certified by the box.
+  { task.dyad(centre, partner, box) } -> std::same_as<Found<typename Task::Pivots::Dyads::Design>>;
 };
 
 namespace detail {
@@ -56,22 +64,23 @@ std::vector<CurvePiece> centre_pieces(const Task& task, const std::vector<CurveR
   return out;
 }
 
-/// Whether a computed partner tells nothing: c, within rounding, is the pole of two displacements, and a line of
+/// Whether the partner p of a rounded c tells nothing: c, within rounding, is the pole of two displacements, and a line of
 /// partners is left. Each line of partners is known to a few unit roundoffs of |N| |c|.
-inline bool undetermined_partner(const Point2<double>& p, const std::array<Correlation<double>, 3>& n,
+inline bool undetermined_partner(const Point2<Rational>& p, const std::array<Correlation<double>, 3>& n,
                                  const Point2<double>& c) {
   double size = 0;
   for (const Correlation<double>& form : n) size = std::max(size, form.norm() * c.norm());
-  return !(p.norm() > 64 * unit_roundoff * size * size);
+  return !(Point2<double>(approximate(p[0]), approximate(p[1]), approximate(p[2])).norm() >
+           64 * unit_roundoff * size * size);
 }
 
 template <CentrePoints Task>
-auto dyad_at(const Task& task, const Point2<double>& c, const Point2<double>& p, bool certify) {
-  if (certify)
-    if (const auto box = crossing(Task::surface, points_with_partner(task.template correlations<Rational>()), c))
-      if (const auto partners = partner(task.template correlations<RationalInterval>(), *box); Task::finite(partners))
-        return task.dyad(*box, partners);
-  return task.dyad(Point2<Rational>(c.cast<Rational>()), Point2<Rational>(p.cast<Rational>()));
+std::optional<PairBox> pair_box(const Task& task, const Cubic<Rational>& f, const Point2<double>& c) {
+  const auto centre = crossing(Task::surface, f, c);
+  if (!centre) return std::nullopt;
+  const PairBox box{*centre, partner(task.template correlations<RationalInterval>(), *centre)};
+  if (!Task::finite(box.partner)) return std::nullopt;
+  return box;
 }
 
 }  // namespace detail
@@ -88,7 +97,8 @@ NearDyads<typename Task::Pivots::Dyads> dyads_near(const Task& task, const std::
     if (const char* expected = G::complaint(near[k]))
       throw InputError(fmt::format("near[{}]: expected {}", k, expected));
   const auto n = task.template correlations<double>();
-  const Cubic<double> f = points_with_partner(n);
+  const auto exact = task.template correlations<Rational>();
+  const Cubic<Rational> f = points_with_partner(exact);
   const std::vector<CurvePiece> pieces = detail::centre_pieces(task, curves);
   NearDyads<typename G::Dyads> out;
   for (std::size_t k = 0; k < near.size(); ++k) {
@@ -98,13 +108,14 @@ NearDyads<typename Task::Pivots::Dyads> dyads_near(const Task& task, const std::
       warn("no curve is listed; no dyad");
       continue;
     }
-    const Point2<double> p = partner(n, nearest->at);
-    if (detail::undetermined_partner(p, n, nearest->at)) {
+    const Point2<double>& c = nearest->at;
+    const Point2<Rational> p = partner(exact, Point2<Rational>(c.cast<Rational>()));
+    if (detail::undetermined_partner(p, n, c)) {
       warn(fmt::format("the nearest centre point is a common {}, every point of a {} is its partner; no dyad", G::pole,
                        G::locus));
       continue;
     }
-    auto found = detail::dyad_at(task, nearest->at, p, certify);
+    auto found = task.dyad(c, p, certify ? detail::pair_box(task, f, c) : std::nullopt);
     if (found.departure) {
       warn(fmt::format("the nearest centre point is the {} of a slider; no RR dyad", G::pivot));
       continue;

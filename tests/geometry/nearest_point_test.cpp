@@ -12,11 +12,10 @@ namespace burmester {
 namespace {
 
 /// (x^2 + y^2 - r^2 z^2) times the linear form l.
-template <class T>
-Cubic<T> circle_and(const LinearForm<T>& l, const T& square) {
-  Conic<T> circle;
-  circle.q = {T(1), T(1), T(-square), T(0), T(0), T(0)};
-  Cubic<T> f;
+Cubic<Rational> circle_and(const LinearForm<Rational>& l, const Rational& square) {
+  Conic<Rational> circle;
+  circle.q = {1, 1, Rational(-square), 0, 0, 0};
+  Cubic<Rational> f;
   f.add_product(l, circle);
   return f;
 }
@@ -37,11 +36,11 @@ std::vector<double> equal_shares(int n) {
   return out;
 }
 
-const LinearForm<double> far_line(1, 0, -5);
+const LinearForm<Rational> far_line(1, 0, -5);
 
 TEST(NearestPoint, OfACircleIsOnTheRay) {
   Random random("NearestPoint.OfACircleIsOnTheRay");
-  const auto f = circle_and(far_line, 1.0);
+  const auto f = circle_and(far_line, Rational(1));
   const std::vector<CurvePiece> pieces{polygon(equal_shares(40), 1, 1, 0.0031)};
   for (int i = 0; i < 200; ++i) {
     const double angle = random.uniform(0, 2 * std::numbers::pi), away = random.uniform(0.2, 3);
@@ -59,7 +58,7 @@ TEST(NearestPoint, IsNotThatOfTheNearestChordWhereErrorsHideIt) {
   shares.erase(shares.begin() + 30);  // one chord twice as long, opposite to the nearest point
   const std::vector<CurvePiece> pieces{polygon(shares, 1, 1, 0.0056)};
   for (const double x : {1e-3, 2e-4}) {
-    const auto nearest = nearest_point(Surface::plane, circle_and(far_line, 1.0), pieces, {x, 0, 1});
+    const auto nearest = nearest_point(Surface::plane, circle_and(far_line, Rational(1)), pieces, {x, 0, 1});
     ASSERT_TRUE(nearest);
     EXPECT_LT((nearest->at - Point2<double>(1, 0, 1)).norm(), 1e-12) << x;
   }
@@ -69,7 +68,8 @@ TEST(NearestPoint, OfAConeIsOnTheMeridianOnTheSideOfTheDirection) {
   Random random("NearestPoint.OfAConeIsOnTheMeridianOnTheSideOfTheDirection");
   for (const double polar : {0.3, 1.0, 1.5}) {  // half the opening of the cone
     const double tangent = std::tan(polar);
-    const auto f = circle_and(LinearForm<double>(0, 0, 1), tangent * tangent);  // and the equator, not in the pieces
+    const auto f =
+        circle_and(LinearForm<Rational>(0, 0, 1), Rational(tangent * tangent));  // and the equator, not in the pieces
     const std::vector<CurvePiece> pieces{polygon(equal_shares(80), std::sin(polar), std::cos(polar), 1e-3)};
     for (int i = 0; i < 100; ++i) {
       const double l = random.uniform(0, 2 * std::numbers::pi), off = random.uniform(-0.25, 0.06);
@@ -85,7 +85,7 @@ TEST(NearestPoint, OfAConeIsOnTheMeridianOnTheSideOfTheDirection) {
 }
 
 TEST(NearestPoint, AtTheEndOfAnOpenPieceIsTold) {
-  const auto f = circle_and(far_line, 1.0);
+  const auto f = circle_and(far_line, Rational(1));
   CurvePiece half = polygon(equal_shares(40), 1, 1, 0.0031);
   half.points.resize(21), half.closed = false;
   EXPECT_FALSE(nearest_point(Surface::plane, f, {half}, {0, 2, 1})->end);
@@ -96,7 +96,7 @@ TEST(NearestPoint, AtTheEndOfAnOpenPieceIsTold) {
 TEST(NearestPoint, ACrossingHoldsAPointOfTheCurve) {
   Random random("NearestPoint.ACrossingHoldsAPointOfTheCurve");
   for (const Surface surface : {Surface::plane, Surface::sphere}) {
-    const auto f = circle_and(LinearForm<Rational>(1, 0, -5), Rational(1));
+    const auto f = circle_and(far_line, Rational(1));
     for (int i = 0; i < 50; ++i) {
       const double angle = random.uniform(0, 2 * std::numbers::pi);
       Point2<double> c(std::cos(angle), std::sin(angle), 1);
