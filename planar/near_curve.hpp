@@ -9,7 +9,7 @@
 
 namespace burmester::planar {
 
-using NearDyads = burmester::NearDyads<Dyads>;
+using NearDyads = burmester::NearestDyads<Dyads>;
 
 /// One RR dyad for each point, or a warning. curves: those of the poses. Throws InputError for coordinates above 1e100.
 NearDyads dyads_near(FourPoses poses, const std::vector<CurveRecord>& curves,

@@ -9,10 +9,10 @@
 
 namespace burmester::spherical {
 
-using NearDyads = burmester::NearDyads<Dyads>;
+using NearDyads = burmester::NearestDyads<Dyads>;
 
-/// One RR dyad for each direction of S, of any length, or a warning. curves: those of the poses. Throws InputError for a
-/// direction that is zero.
+/// One RR dyad for each direction of S, of any length, or a warning. curves: those of the poses. Throws InputError for
+/// a direction that is zero.
 NearDyads dyads_near(FourPoses poses, const std::vector<CurveRecord>& curves,
                      const std::vector<std::vector<double>>& near, bool certify);
 

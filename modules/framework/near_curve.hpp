@@ -1,10 +1,10 @@
-// Four poses: the dyads of the curve whose fixed pivots are nearest to given points, in any geometry whose displacements
-// are correlations.
+// Four poses: the dyads of the curve whose fixed pivots are nearest to given points, in any geometry whose
+// displacements are correlations.
 //
-// The centre points c fill a cubic F(c) = 0 (geometry/correlations.hpp). From the traced curve Newton's method leads to the
-// one nearest to the given point (geometry/nearest_point.hpp). Where F has opposite exact signs at the two ends of a short
-// segment across the curve, a dyad of the curve has its fixed pivot there; its partner is enclosed with rational
-// intervals. (planar/near_curve.hpp, spherical/near_curve.hpp)
+// The centre points c fill a cubic F(c) = 0 (geometry/correlations.hpp). From the traced curve Newton's method leads to
+// the one nearest to the given point (geometry/nearest_point.hpp). Where F has opposite exact signs at the two ends of
+// a short segment across the curve, a dyad of the curve has its fixed pivot there; its partner is enclosed with
+// rational intervals. (planar/near_curve.hpp, spherical/near_curve.hpp)
 #pragma once
 
 #include <fmt/format.h>
@@ -26,7 +26,7 @@
 namespace burmester {
 
 template <class Dyads>
-struct NearDyads {
+struct NearestDyads {
   std::vector<Found<typename Dyads::Design>> dyads;  ///< no sliders
   std::vector<std::string> warnings;  ///< of points without a dyad, and where the trace ends: "near[0]: .."
 };
@@ -64,8 +64,8 @@ std::vector<CurvePiece> centre_pieces(const Task& task, const std::vector<CurveR
   return out;
 }
 
-/// Whether the partner p of a rounded c tells nothing: c, within rounding, is the pole of two displacements, and a line of
-/// partners is left. Each line of partners is known to a few unit roundoffs of |N| |c|.
+/// Whether the partner p of a rounded c tells nothing: c, within rounding, is the pole of two displacements, and a line
+/// of partners is left. Each line of partners is known to a few unit roundoffs of |N| |c|.
 inline bool undetermined_partner(const Point2<Rational>& p, const std::array<Correlation<double>, 3>& n,
                                  const Point2<double>& c) {
   double size = 0;
@@ -85,13 +85,13 @@ std::optional<PairBox> pair_box(const Task& task, const Cubic<Rational>& f, cons
 
 }  // namespace detail
 
-/// Dyads near points of the fixed frame, one for each: nearest on the curve as it is traced. None where the nearest centre
-/// point is a slider's (these are listed with the curve) or a common pole of several displacements, or no curve is shown;
-/// a warning says so. curves: those of the poses. A certificate's radius bounds the distance to some dyad of the curve.
-/// Throws InputError for points that cannot be used.
+/// Dyads near points of the fixed frame, one for each: nearest on the curve as it is traced. None where the nearest
+/// centre point is a slider's (these are listed with the curve) or a common pole of several displacements, or no curve
+/// is shown; a warning says so. curves: those of the poses. A certificate's radius bounds the distance to some dyad of
+/// the curve. Throws InputError for points that cannot be used.
 template <CentrePoints Task>
-NearDyads<typename Task::Pivots::Dyads> dyads_near(const Task& task, const std::vector<CurveRecord>& curves,
-                                                   const std::vector<std::vector<double>>& near, bool certify) {
+NearestDyads<typename Task::Pivots::Dyads> dyads_near(const Task& task, const std::vector<CurveRecord>& curves,
+                                                      const std::vector<std::vector<double>>& near, bool certify) {
   using G = typename Task::Pivots;
   for (std::size_t k = 0; k < near.size(); ++k)
     if (const char* expected = G::complaint(near[k]))
@@ -100,7 +100,7 @@ NearDyads<typename Task::Pivots::Dyads> dyads_near(const Task& task, const std::
   const auto exact = task.template correlations<Rational>();
   const Cubic<Rational> f = points_with_partner(exact);
   const std::vector<CurvePiece> pieces = detail::centre_pieces(task, curves);
-  NearDyads<typename G::Dyads> out;
+  NearestDyads<typename G::Dyads> out;
   for (std::size_t k = 0; k < near.size(); ++k) {
     const auto warn = [&](const std::string& words) { out.warnings.push_back(fmt::format("near[{}]: {}", k, words)); };
     const auto nearest = nearest_point(Task::surface, f, pieces, task.seen(near[k]));
@@ -128,7 +128,7 @@ NearDyads<typename Task::Pivots::Dyads> dyads_near(const Task& task, const std::
 
 /// Adds them to the report of the curve, each once. `points`: what people call what was given. G: a PivotGeometry.
 template <class G>
-void add_near(NearDyads<typename G::Dyads> near, std::string_view points, std::span<const typename G::Pose> poses,
+void add_near(NearestDyads<typename G::Dyads> near, std::string_view points, std::span<const typename G::Pose> poses,
               Report<typename G::Dyads>& report) {
   std::ranges::move(near.dyads, std::back_inserter(report.dyads));
   std::ranges::move(near.warnings, std::back_inserter(report.warnings));

@@ -37,8 +37,8 @@ std::vector<double> list(const Axis& a) { return {a[0], a[1], a[2]}; }
 /// Between axes without direction.
 double angle(const Axis& a, const Axis& b) { return std::min(Space::distance(a, b), Space::distance(a, -b)); }
 
-/// Zero for centre axes (circle axes for the inverse poses): equation 10 of J. Angeles, S. Bai, "A robust solution of the
-/// spherical Burmester problem", for the places of the axis that the body sees.
+/// Zero for centre axes (circle axes for the inverse poses): equation 10 of J. Angeles, S. Bai, "A robust solution of
+/// the spherical Burmester problem", for the places of the axis that the body sees.
 template <class T>
 T determinant(const FourPoseTask& task, const Vector<T, 3>& b) {
   const auto back = [](const Pose& p) { return Space::conjugate<T>(Space::point<T>(p)); };
