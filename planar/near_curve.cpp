@@ -1,6 +1,7 @@
 #include "burmester/planar/near_curve.hpp"
 
 #include <cmath>
+#include <span>
 
 #include "burmester/planar/enclosed_pair.hpp"
 #include "burmester/planar/pivots.hpp"
@@ -17,7 +18,7 @@ class Centres {
   explicit Centres(FourPoses poses) : poses_(poses), length_(power_of_two_below(task_size(poses))) {}
 
   double length() const { return length_; }
-  Point2<double> seen(const std::vector<double>& c) const {
+  Point2<double> seen(std::span<const double> c) const {
     return {(c[0] - poses_[0].x) / length_, (c[1] - poses_[0].y) / length_, 1};
   }
   template <class T>

@@ -1,6 +1,7 @@
 #include "burmester/spherical/near_curve.hpp"
 
 #include <cmath>
+#include <span>
 
 #include "burmester/spherical/five_pose_certificate.hpp"
 #include "burmester/spherical/four_pose_frames.hpp"
@@ -22,7 +23,7 @@ class Centres {
   explicit Centres(FourPoses poses) : poses_(poses), frames_(poses) {}
 
   static double length() { return FourPoseFrames::length(); }
-  Point2<double> seen(const std::vector<double>& b) const {
+  Point2<double> seen(std::span<const double> b) const {
     const Axis axis(b[0], b[1], b[2]);
     return frames_.seen(axis / axis.cwiseAbs().maxCoeff());
   }

@@ -39,7 +39,7 @@ struct PairBox {
 /// Four poses as centre points see them: the geometry's part.
 template <class Task>
 concept CentrePoints = PivotGeometry<typename Task::Pivots> &&
-    requires(const Task task, const std::vector<double> fixed, const Point2<double> centre,
+    requires(const Task task, std::span<const double> fixed, const Point2<double> centre,
              const Point2<Rational> partner, const std::optional<PairBox> box) {
   { Task::surface } -> std::convertible_to<Surface>;
   { task.length() } -> std::same_as<double>;             ///< the unit of length on the surface
@@ -59,7 +59,7 @@ std::vector<CurvePiece> centre_pieces(const Task& task, const std::vector<CurveR
   for (const CurveRecord& curve : curves) {
     CurvePiece& piece = out.emplace_back();
     piece.closed = curve.closed, piece.max_error = curve.max_error / task.length();
-    for (const std::vector<double>& fixed : curve.fixed) piece.points.push_back(task.seen(fixed));
+    for (const auto& fixed : curve.fixed) piece.points.push_back(task.seen(fixed));
   }
   return out;
 }
