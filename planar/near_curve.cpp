@@ -1,6 +1,8 @@
 #include "burmester/planar/near_curve.hpp"
 
+#include <array>
 #include <cmath>
+#include <optional>
 #include <span>
 
 #include "burmester/planar/enclosed_pair.hpp"

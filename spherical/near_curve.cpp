@@ -1,6 +1,8 @@
 #include "burmester/spherical/near_curve.hpp"
 
+#include <array>
 #include <cmath>
+#include <optional>
 #include <span>
 
 #include "burmester/spherical/five_pose_certificate.hpp"

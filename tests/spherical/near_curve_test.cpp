@@ -9,7 +9,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "burmester/modules/framework/input.hpp"
 #include "burmester/spherical/spherical.hpp"
 #include "five_orientations.hpp"
 
@@ -17,8 +16,6 @@ namespace burmester::spherical {
 namespace {
 
 using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::StartsWith;
 
 using FourPoseTask = std::array<Pose, 4>;
 
