@@ -1,27 +1,17 @@
-// Four poses: the dyad of the curve whose fixed pivot is nearest to a given point.
-//
-// The centre points c fill the cubic F(c) = 0 (four_pose_curves.hpp). Nearest to q: c - q + lambda grad F(c) = 0 and
-// F(c) = 0, by Newton's method from the traced curve. Where F has opposite exact signs at the two ends of a short
-// segment across the curve, a dyad of the curve has its fixed pivot there; its circle point is enclosed with rational
-// intervals.
+// Four poses in the plane: the dyad of the curve whose fixed pivot is nearest to a given point
+// (modules/framework/near_curve.hpp tells how).
 #pragma once
 
-#include <string>
 #include <vector>
 
+#include "burmester/modules/framework/near_curve.hpp"
 #include "burmester/planar/four_pose_curves.hpp"
 
 namespace burmester::planar {
 
-struct NearDyads {
-  std::vector<Found<Dyads::Design>> dyads;  ///< RR
-  std::vector<std::string> warnings;        ///< of points without a dyad, and where the trace ends: "near[0]: .."
-};
+using NearDyads = burmester::NearestDyads<Dyads>;
 
-/// Dyads near points q of the fixed frame, one for each: nearest on the curve as it is traced. None where the nearest
-/// centre point is a slider's (these are listed with the curve) or a common pole of several displacements, or no curve is
-/// shown; a warning says so. curves: those of the poses. A certificate's radius bounds the distance to some dyad of the
-/// curve.
+/// One RR dyad for each point, or a warning. curves: those of the poses. Throws InputError for coordinates above 1e100.
 NearDyads dyads_near(FourPoses poses, const std::vector<CurveRecord>& curves,
                      const std::vector<std::vector<double>>& near, bool certify);
 

@@ -4,11 +4,9 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <iterator>
 #include <numbers>
 
 #include "burmester/modules/framework/condition.hpp"
-#include "burmester/modules/framework/repeated.hpp"
 #include "burmester/modules/framework/search.hpp"
 #include "burmester/planar/curve_linkages.hpp"
 #include "burmester/planar/double_slider.hpp"
@@ -73,14 +71,9 @@ PlanarReport solve(const Problem& problem, std::span<const Pose> poses) {
   } else if (poses.size() == 5) {
     report = FivePoseSolver{.certify = problem.certify}.solve(poses);
   } else if (poses.size() == 4) {
-    for (std::size_t k = 0; k < problem.near.size(); ++k)
-      if (const char* expected = Pivots::complaint(problem.near[k]))
-        throw InputError(fmt::format("near[{}]: expected {}", k, expected));
     report = FourPoseSolver().solve(poses);
-    auto near = dyads_near(std::span(poses).first<4>(), report.curves, problem.near, problem.certify);
-    std::ranges::move(near.dyads, std::back_inserter(report.dyads));
-    std::ranges::move(near.warnings, std::back_inserter(report.warnings));
-    drop_repeated<Pivots>(report, poses, "points");
+    add_near<Pivots>(dyads_near(std::span(poses).first<4>(), report.curves, problem.near, problem.certify), "points",
+                     poses, report);
   } else if (poses.size() < 4) {
     report = FamilySolver{.units = problem.units}.solve(poses);
   } else {

@@ -7,34 +7,11 @@
 
 #include "burmester/geometry/paired_curves.hpp"
 #include "burmester/modules/framework/equal_poses.hpp"
-#include "burmester/spherical/equal_angles.hpp"
 #include "burmester/spherical/exact_orientations.hpp"
+#include "burmester/spherical/four_pose_frames.hpp"
 
 namespace burmester::spherical {
 namespace {
-
-/// Axes in E, and in S turned back by a reference pose.
-class Task {
- public:
-  explicit Task(FourPoses poses) : poses_(poses), reference_(static_cast<std::size_t>(reference_of(poses))) {}
-
-  static double length() { return 1; }
-  template <class T>
-  ThreeCorrelations<T> correlations() const {
-    ThreeCorrelations<T> n;
-    for (std::size_t j = 0, k = 0; j < 4; ++j)
-      if (j != reference_) n[k++] = equal_angles(relative_rotation<T>(poses_[reference_], poses_[j]));
-    return n;
-  }
-  static Axis moving(const Point2<double>& a) { return a.normalized(); }
-  Axis fixed(const Point2<double>& b) const {
-    return Space::act<double>(Space::point<double>(poses_[reference_]), b).normalized();
-  }
-
- private:
-  FourPoses poses_;
-  std::size_t reference_;
-};
 
 constexpr CurveWords words{"great circle", "quadric cone"};
 
@@ -84,7 +61,7 @@ void add_sliders(FourPoses poses, SphericalReport& report) {
 }  // namespace
 
 FourPoseCurves four_pose_curves(FourPoses poses, const CurveOptions& options) {
-  const Task task(poses);
+  const FourPoseFrames task(poses);
   PairedCurves curves =
       paired_curves({[&] { return task.correlations<Interval>(); }, [&] { return task.correlations<Rational>(); }},
                     trace_on_sphere, {.tolerance = options.tolerance, .longest = options.longest});

@@ -8,6 +8,7 @@
 #include "burmester/modules/framework/result_io.hpp"
 #include "burmester/modules/framework/search.hpp"
 #include "burmester/spherical/family.hpp"
+#include "burmester/spherical/five_pose_solver.hpp"
 
 namespace burmester::spherical {
 namespace {
@@ -91,6 +92,22 @@ bool is_slider(double arc) { return std::abs(arc - right_angle) <= slider_arc_to
 
 }  // namespace
 
+FoundDyad judged(const Axis& fixed, const Axis& moving, Body given, std::span<const Pose> poses) {
+  const double arc = Space::distance(fixed, Space::act<double>(Space::point<double>(poses[0]), moving));
+  const double departure = std::abs(arc - right_angle);
+  FoundDyad found;
+  if (is_slider(arc)) {
+    found.design = PR::Design{fixed, moving};
+    found.departure = departure;
+  } else {
+    found.design = RR::Design{fixed, moving, arc};
+    if (poses.size() > 2 && departure <= near_slider_departure)  // two places lie on any great circle
+      found.slider = SliderRecord{PR::name, std::nullopt, departure};
+  }
+  judge(found, given, poses);
+  return found;
+}
+
 FoundDyad Pivots::dyad(Body given, const std::vector<double>& axis, const ExactAxis& partner,
                        std::span<const Pose> poses, bool certify) {
   const Pose& first = poses[0];
@@ -98,16 +115,7 @@ FoundDyad Pivots::dyad(Body given, const std::vector<double>& axis, const ExactA
   const ExactAxis fixed = moving_given ? partner : exact_axis(axis);
   const ExactAxis moving = moving_given ? exact_axis(axis) : Space::act<Rational>(back<Rational>(first), partner);
   const Axis b = unit_axis(fixed), a = unit_axis(moving);
-  const double arc = Space::distance(b, Space::act<double>(Space::point<double>(first), a));
-
-  FoundDyad found;
-  if (is_slider(arc)) {
-    found.design = PR::Design{b, a};
-    found.departure = std::abs(arc - right_angle);
-  } else {
-    found.design = RR::Design{b, a, arc};
-  }
-  judge(found, given, poses);
+  FoundDyad found = judged(b, a, given, poses);
   if (certify) {
     const double off_b = error_of(b, fixed), off_a = error_of(a, moving), rounding = 64 * unit_roundoff;
     const double off_arc = 1.2 * (off_a + off_b) + rounding + found.departure.value_or(0);  // a slider states 90 deg

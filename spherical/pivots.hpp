@@ -61,6 +61,10 @@ struct Pivots {
   }
 };
 
+/// The dyad of two axes (unit vectors), of which that of body `given` is given, as it is listed: a slider or an RR,
+/// with residual, condition, and for an RR the slider that it nearly is. Not certified.
+Found<Dyads::Design> judged(const Axis& fixed, const Axis& moving, Body given, std::span<const Pose> poses);
+
 /// Two or three orientations, or given axes with any number of orientations. Throws InputError for a given axis that is
 /// zero.
 Report<Dyads> solve_linear(const Problem& problem, std::span<const Pose> poses);

@@ -8,6 +8,7 @@
 #include "burmester/spherical/four_pose_curves.hpp"
 #include "burmester/spherical/least_squares.hpp"
 #include "burmester/spherical/linkage.hpp"
+#include "burmester/spherical/near_curve.hpp"
 #include "burmester/spherical/pivots.hpp"
 #include "burmester/spherical/pose_format.hpp"
 
@@ -53,8 +54,9 @@ SphericalReport solve(const Problem& problem, std::span<const Pose> poses) {
     report = FivePoseSolver{.certify = problem.certify}.solve(poses);
     if (only_sliders(problem)) add_best_slider(poses, {}, report);
   } else {
-    if (!problem.near.empty()) throw NotAvailable("dyads near given axes of the cone of four orientations");
     report = FourPoseSolver().solve(poses);
+    add_near<Pivots>(dyads_near(poses.first<4>(), report.curves, problem.near, problem.certify), "directions", poses,
+                     report);
   }
   for (std::string& warning : ignored_requests<Pivots>(problem)) report.warnings.push_back(std::move(warning));
   return report;

@@ -137,6 +137,25 @@ class Pivots(ProgramTest):
         self.assertEqual(self.answer(problem(POSES[:3], near=near))["warnings"],
                          ["near: only four poses without given pivots leave a choice; ignored"])
 
+    def test_near_a_direction_of_the_cone(self):
+        near = [[1, 1, 2], [-6, 8, 0], [3, -4, 0], [1e300, 0, -1e300]]
+        document = self.answer(problem(SPHERICAL, "spherical", near=near))
+        found = [d for d in document["dyads"] if d["type"] == "RR"]
+        self.assertEqual(len(found), 3)
+        self.assertEqual(document["warnings"], ["two of the given directions lead to the same RR dyad: listed once"])
+
+        def nearness(axis, direction):  # cosine of the angle between axes without direction
+            return abs(sum(a * b for a, b in zip(axis, direction))) / math.hypot(*direction)
+        axes = [c for curve in document["curves"] for c in curve["fixed"]]
+        for direction in near:
+            best = max(found, key=lambda d: nearness(d["fixed"], direction))
+            self.assertGreaterEqual(nearness(best["fixed"], direction), max(nearness(c, direction) for c in axes) - 1e-14)
+        for dyad in found:
+            self.assertLess(dyad["residual"], 1e-14)
+            self.assertLess(dyad["certificate"]["radius"], 1e-12)
+        self.assertEqual(self.answer(problem(SPHERICAL[:3], "spherical", near=near))["warnings"],
+                         ["near: only four poses without given axes leave a choice; ignored"])
+
     def test_constructions_are_drawn(self):
         names = {f"construction_{k}_{how}.svg" for k in (1, 2) for how in ("inversion", "poles")}
         with tempfile.TemporaryDirectory() as folder:
@@ -184,7 +203,11 @@ class Pivots(ProgramTest):
                                      (problem(POSES[:3], moving=[[0, "x"]]), "moving[0][1]"),
                                      (problem(SPHERICAL[:3], "spherical", fixed=[[0, 0]]), "fixed[0]"),
                                      (problem(SPHERICAL[:3], "spherical", moving=[[0, 0, 0]]),
-                                      "moving[0]: expected an axis that is not zero")):
+                                      "moving[0]: expected an axis that is not zero"),
+                                     (problem(SPHERICAL, "spherical", near=[[0, 0, 1], [0, 0, 0]]),
+                                      "near[1]: expected an axis that is not zero"),
+                                     (problem(SPHERICAL, "spherical", near=[[0, 1]]), "near[0]"),
+                                     (problem(POSES[:4], near=[[0, 1e101]]), "near[0]: expected coordinates of magnitude")):
             with self.subTest(text=text):
                 self.assertIn(place_of_error, self.refused("synthesize", "-", text=text))
 
