@@ -25,7 +25,7 @@ struct Centres {
     for (std::size_t j = 0; j < 3; ++j) n[j] = equidistance<T>(poses[0], poses[j + 1], 1 / length).transpose();
     return n;
   }
-  Vector2 seen(const std::vector<double>& c) const { return Vector2(c[0] - poses[0].x, c[1] - poses[0].y) / length; }
+  Vector2 seen(std::span<const double> c) const { return Vector2(c[0] - poses[0].x, c[1] - poses[0].y) / length; }
 };
 
 Point2<double> affine(const Vector2& c) { return {c[0], c[1], 1}; }
@@ -129,7 +129,7 @@ Found<Dyads::Design> dyad_at(const Centres& centres, const Vector2& c, const Poi
 
 NearDyads dyads_near(FourPoses poses, const std::vector<CurveRecord>& curves,
                      const std::vector<std::vector<double>>& near, bool certify) {
-  const Centres centres{poses, power_of_two_below(task_size(poses))};
+  const Centres centres{poses, power_of_two_below(curve_scale(poses))};
   const auto n = centres.correlations<double>();
   const Cubic<double> f = points_with_partner(n);
   NearDyads out;

@@ -13,7 +13,7 @@ namespace {
 
 std::array<double, 2> pair_of(const Vector2& p) { return {p[0], p[1]}; }
 std::array<double, 2> pair_of(Complex z) { return {z.real(), z.imag()}; }
-Vector2 vector_of(const std::vector<double>& p) { return {p[0], p[1]}; }
+Vector2 vector_of(std::span<const double> p) { return {p[0], p[1]}; }
 
 /// A plate in the making, and the box that its window is made of.
 class Sheet {
@@ -44,14 +44,14 @@ class Sheet {
 
 class Plates {
  public:
-  explicit Plates(FourPoses poses) : poses_(poses), size_(task_size(poses)), centre_(0, 0) {
+  /// Windows hold the poles within two `reach` of the poses.
+  Plates(FourPoses poses, double reach) : poses_(poses), size_(task_size(poses)), reach_(reach), centre_(0, 0) {
     for (const Pose& p : poses) centre_ += Vector2(p.x, p.y) / 4;
   }
 
-  Plate curves(const std::vector<CurveRecord>& curves, const std::vector<CandidateRecord>& candidates) const {
-    Sheet sheet(
-        "curves", "Circle points and centre points",
-        "circles: circle points (body in pose 1); stars: centre points; squares: poles");
+  Plate curves(const char* name, const char* title, const std::vector<CurveRecord>& curves,
+               const std::vector<CandidateRecord>& candidates) const {
+    Sheet sheet(name, title, "circles: circle points (body in pose 1); stars: centre points; squares: poles");
     for (const CurveRecord& c : curves) {
       Polyline moving, fixed;
       for (const auto& m : c.moving) moving.push_back(pair_of(to_fixed(poses_[0], vector_of(m))));
@@ -118,7 +118,7 @@ class Plates {
   }
 
  private:
-  bool near(const Vector2& p) const { return (p - centre_).cwiseAbs().maxCoeff() < 2 * size_; }
+  bool near(const Vector2& p) const { return (p - centre_).cwiseAbs().maxCoeff() < 2 * reach_; }
 
   void add_poses(Sheet& sheet) const {
     for (std::size_t j = 0; j < 4; ++j) {
@@ -156,7 +156,7 @@ class Plates {
   }
 
   FourPoses poses_;
-  double size_;
+  double size_, reach_;
   Vector2 centre_;
 };
 
@@ -164,9 +164,15 @@ class Plates {
 
 std::vector<Plate> four_pose_plates(FourPoses poses, const std::vector<CurveRecord>& curves,
                                     const std::vector<CandidateRecord>& candidates) {
-  const Plates plates(poses);
+  const double size = task_size(poses), scale = curve_scale(poses);
+  const Plates plates(poses, scale), near(poses, size);
+  const bool linkage_is_small = scale > 2 * size && !candidates.empty();
   std::vector<Plate> out;
-  if (!curves.empty()) out.push_back(plates.curves(curves, candidates));
+  if (!curves.empty())
+    out.push_back(plates.curves("curves", "Circle points and centre points", curves,
+                                linkage_is_small ? std::vector<CandidateRecord>() : candidates));
+  if (linkage_is_small)
+    out.push_back(near.curves("curves_near", "Circle points and centre points near the poses", curves, candidates));
   const DyadForm form(poses);
   if (!form.degeneracy().empty()) return out;
   out.push_back(plates.modes(form));

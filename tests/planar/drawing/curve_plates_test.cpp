@@ -29,7 +29,8 @@ TEST(CurvePlates, ShowPolesAndPivotsOnTheCurves) {
     const auto curves = four_pose_curves(task).pieces;
     const auto candidates = candidates_of(task, curves);
     const auto plates = four_pose_plates(task, curves, candidates);
-    ASSERT_EQ(plates.size(), 3u) << i;
+    const bool far = curve_scale(task) > 2 * task_size(task) && !candidates.empty();
+    ASSERT_EQ(plates.size(), far ? 4u : 3u) << i;
     for (const Plate& plate : plates) {
       ASSERT_EQ(plate.parts.size(), plate.lines.size()) << i;
       EXPECT_LT(plate.window[0], plate.window[2]) << i;
@@ -40,11 +41,34 @@ TEST(CurvePlates, ShowPolesAndPivotsOnTheCurves) {
     ASSERT_EQ(poles.size(), 6u) << i;
     for (const Polyline& pole : poles) EXPECT_LT(cubics.distance_of_fixed(vector_of(pole[0])), 1e-10) << i;
     if (candidates.empty()) continue;
-    const Vector2 a0 = vector_of(lines(plates[0], "fixed_pivot", "A0").at(0)[0]),
-                  a = to_moving(task[0], vector_of(lines(plates[0], "moving_pivot", "A").at(0)[0]));
+    const Plate& with_linkage = plates[far ? 1 : 0];
+    const Vector2 a0 = vector_of(lines(with_linkage, "fixed_pivot", "A0").at(0)[0]),
+                  a = to_moving(task[0], vector_of(lines(with_linkage, "moving_pivot", "A").at(0)[0]));
     EXPECT_LT(concyclicity(task, a, a0), 1e-12) << i;
     EXPECT_LT(cubics.distance_of_moving(a), 1e-10) << i;
   }
+}
+
+bool shows(const Plate& plate, const std::array<double, 2>& p) {
+  return plate.window[0] < p[0] && p[0] < plate.window[2] && plate.window[1] < p[1] && p[1] < plate.window[3];
+}
+
+TEST(CurvePlates, SmallTurnsAreShownFromFarAndNear) {
+  const FourPoseTask task = four_poses({{{0, 0, 0}, {3, 1, 2}, {5, -1, 3.5}, {4, -4, 5}}});
+  const auto curves = four_pose_curves(task).pieces;
+  const auto candidates = candidates_of(task, curves);
+  ASSERT_FALSE(candidates.empty());
+  const auto plates = four_pose_plates(task, curves, candidates);
+  ASSERT_EQ(plates.size(), 4u);
+  EXPECT_EQ(plates[0].name, "curves");
+  EXPECT_EQ(plates[1].name, "curves_near");
+  const auto poles = lines(plates[0], "pole");
+  EXPECT_GE(std::ranges::count_if(poles, [&](const Polyline& pole) { return shows(plates[0], pole[0]); }), 3);
+  EXPECT_EQ(std::ranges::count_if(poles, [&](const Polyline& pole) { return shows(plates[1], pole[0]); }), 0);
+  EXPECT_TRUE(lines(plates[0], "link").empty());
+  for (const char* role : {"fixed_pivot", "moving_pivot", "frame"})
+    for (const Polyline& line : lines(plates[1], role))
+      for (const auto& p : line) EXPECT_TRUE(shows(plates[1], p)) << role;
 }
 
 TEST(CurvePlates, TheCompatibilityLinkageCloses) {
