@@ -25,7 +25,9 @@ constexpr double farthest_slider = 0x1p31;  // task sizes: at 2^31 its places ar
 
 class Task {
  public:
-  explicit Task(FourPoses poses) : poses_(poses), length_(power_of_two_below(curve_scale(poses))) {}
+  explicit Task(FourPoses poses) : poses_(poses), length_(power_of_two_below(curve_scale(poses))) {
+    for (int k = 0; k < 2; ++k) to_body_.col(k) = to_moving({0, 0, first().X3, first().X4}, Vector2::Unit(k));
+  }
 
   FourPoses poses() const { return poses_; }
   const Pose& first() const { return poses_[0]; }
@@ -37,7 +39,7 @@ class Task {
     return n;
   }
   Vector2 moving(const Point2<double>& p) const {  // in E
-    return to_moving({0, 0, first().X3, first().X4}, length_ / p[2] * Vector2(p[0], p[1]));
+    return to_body_ * Vector2(length_ / p[2] * Vector2(p[0], p[1]));
   }
   Vector2 fixed(const Point2<double>& c) const {  // in S
     return length_ / c[2] * Vector2(c[0], c[1]) + Vector2(first().x, first().y);
@@ -46,6 +48,7 @@ class Task {
  private:
   FourPoses poses_;
   double length_;
+  Matrix<double, 2, 2> to_body_;  ///< directions of S in E, in pose 1
 };
 
 /// The partner of the real point at infinity of a circular cubic (x^2 + y^2)(c0 x + c6 y) + ..; zero where there is more
@@ -107,9 +110,7 @@ double curve_scale(FourPoses poses) {
   };
   std::array<double, 6> distances;
   for (std::size_t i = 0, k = 0; i < 4; ++i)
-    for (std::size_t j = i + 1; j < 4; ++j)
-      distances[k++] =
-          std::max(distance_of(relative_pole(seen(i), seen(j))), distance_of(moving_pole(seen(i), seen(j))));
+    for (std::size_t j = i + 1; j < 4; ++j) distances[k++] = distance_of(relative_pole(seen(i), seen(j)));
   std::ranges::nth_element(distances, distances.begin() + 2);
   const double size = task_size(poses);
   return std::clamp(distances[2] / 2, size, largest_scale * size);
