@@ -36,6 +36,7 @@ ModuleInfo describe() {
   info.solvers = describe_solvers<FamilySolver, FourPoseSolver, FivePoseSolver>();
   info.csv_headers = {{"x", "y", "angle_deg"}, {"x", "y", "angle_rad"}};
   info.point_size = 2;
+  info.linkage_classes.assign(four_bar_classes.begin(), four_bar_classes.end());
   return info;
 }
 
@@ -68,6 +69,19 @@ bool only_searched(const Problem& problem) {
   std::size_t known = 0;
   Dyads::for_each([&]<class D>() { known += searched<D> && asked_for(problem, D::name); });
   return known > 0 && known == problem.types.size();
+}
+
+CurveLinkageOptions options_of(const LinkageRequest& request) {
+  CurveLinkageOptions out;
+  const auto window = [](const LinkageRequest::Box& box) {
+    return PivotWindow{{box.low[0], box.low[1]}, {box.high[0], box.high[1]}};
+  };
+  if (request.fixed_in) out.fixed = window(*request.fixed_in);
+  if (request.moving_in) out.moving = window(*request.moving_in);
+  out.classes = request.classes;
+  out.largest_ratio = request.largest_ratio.value_or(out.largest_ratio);
+  out.wanted = request.most.value_or(out.wanted);
+  return out;
 }
 
 PlanarReport solve(const Problem& problem, std::span<const Pose> poses) {
@@ -107,6 +121,20 @@ PlanarReport solve(const Problem& problem, std::span<const Pose> poses) {
   return report;
 }
 
+void add_candidates(const Problem& problem, FourPoses poses, Synthesis& answer) {
+  if (!problem.types.empty() && !asked_for(problem, RR::name)) {
+    if (problem.linkages) answer.warnings.push_back("linkages: RR dyads are not asked for; ignored");
+    return;
+  }
+  const LinkageRequest request = problem.linkages.value_or(LinkageRequest{});
+  answer.candidates = candidates_of(poses, answer.curves, options_of(request));
+  if (problem.linkages && answer.candidates.size() < request.most.value_or(1))
+    answer.warnings.push_back(
+        answer.candidates.empty()
+            ? "linkages: no two dyads of the curves as listed are as asked for"
+            : fmt::format("linkages: only {} different ones are as asked for", answer.candidates.size()));
+}
+
 class PlanarModule final : public Module {
  public:
   const ModuleInfo& info() const override { return info_; }
@@ -128,8 +156,8 @@ class PlanarModule final : public Module {
     const PlanarReport report = solve(problem, poses);
     Synthesis answer{report.status,       report.message, report.counts, records_of(report),
                      linkages_of(report.dyads, planar::task_size(poses)), report.warnings, report.curves, report.family};
-    if (!report.curves.empty() && (problem.types.empty() || asked_for(problem, RR::name)))
-      answer.candidates = candidates_of(std::span(poses).first<4>(), report.curves);
+    if (!report.curves.empty())
+      add_candidates(problem, std::span(poses).first<4>(), answer);
     return answer;
   }
   Drawing draw(const Problem& problem, const Synthesis& answer) const override {
