@@ -13,6 +13,7 @@
 #include "burmester/planar/curve_linkages.hpp"
 #include "burmester/planar/double_slider.hpp"
 #include "burmester/planar/drawing.hpp"
+#include "burmester/planar/dyad_form.hpp"
 #include "burmester/planar/five_pose_solver.hpp"
 #include "burmester/planar/four_pose_curves.hpp"
 #include "burmester/planar/linkage.hpp"
@@ -33,7 +34,7 @@ ModuleInfo describe() {
   info.name = Space::name;
   info.origin = "built in";
   Dyads::for_each([&]<class D>() { info.dyad_types.push_back(D::name); });
-  info.solvers = describe_solvers<FamilySolver, FourPoseSolver, FivePoseSolver>();
+  info.solvers = describe_solvers<FamilySolver, FourPoseSolver, DyadForm, FivePoseSolver>();
   info.csv_headers = {{"x", "y", "angle_deg"}, {"x", "y", "angle_rad"}};
   info.point_size = 2;
   info.linkage_classes.assign(four_bar_classes.begin(), four_bar_classes.end());
