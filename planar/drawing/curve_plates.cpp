@@ -87,6 +87,26 @@ class Plates {
     return sheet.finished(0.3);
   }
 
+  /// Of one dyad: M at `fixed`, K at `moving` in E.
+  Plate vectors(const Vector2& moving, const Vector2& fixed) const {
+    Sheet sheet("vector_diagram", "Vector diagram of a dyad",
+                "in each pose Z1 from M to K, Z2 from K to the body's origin; δj moves the origin");
+    const auto origin = [&](std::size_t j) { return std::array{poses_[j].x, poses_[j].y}; };
+    for (std::size_t j = 0; j < 4; ++j) {
+      const auto joint = pair_of(to_fixed(poses_[j], moving));
+      const int style = static_cast<int>(j);
+      sheet.add("vector", j == 0 ? "Z1" : "", {pair_of(fixed), joint}, style);
+      sheet.add("vector", j == 0 ? "Z2" : "", {joint, origin(j)}, style);
+      if (j > 0) sheet.add("vector", fmt::format("δ{}", j + 1), {origin(0), origin(j)}, style);
+      sheet.add("moving_pivot", fmt::format("K{}", j + 1), {joint});
+      sheet.show(joint);
+    }
+    sheet.add("fixed_pivot", "M", {pair_of(fixed)});
+    sheet.show(pair_of(fixed));
+    add_poses(sheet);
+    return sheet.finished(0.15);
+  }
+
   Plate compatibility(const DyadForm& form) const {
     Sheet sheet(
         "compatibility_linkage", "Compatibility linkage",
@@ -177,6 +197,12 @@ std::vector<Plate> four_pose_plates(FourPoses poses, const std::vector<CurveReco
   if (!form.degeneracy().empty()) return out;
   out.push_back(plates.modes(form));
   out.push_back(plates.compatibility(form));
+  if (!candidates.empty()) {
+    const DyadRecord& dyad = candidates[0].dyads[0];
+    out.push_back(plates.vectors(vector_of(dyad.moving), vector_of(dyad.fixed)));
+  } else if (const FreeRange& range = form.ranges()[0]; const auto pair = form.at(range.middle + 0.4 * range.half, 1)) {
+    out.push_back(plates.vectors(pair->moving, pair->fixed));
+  }
   return out;
 }
 

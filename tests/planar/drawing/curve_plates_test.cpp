@@ -30,7 +30,7 @@ TEST(CurvePlates, ShowPolesAndPivotsOnTheCurves) {
     const auto candidates = candidates_of(task, curves);
     const auto plates = four_pose_plates(task, curves, candidates);
     const bool far = curve_scale(task) > 2 * task_size(task) && !candidates.empty();
-    ASSERT_EQ(plates.size(), far ? 4u : 3u) << i;
+    ASSERT_EQ(plates.size(), far ? 5u : 4u) << i;
     for (const Plate& plate : plates) {
       ASSERT_EQ(plate.parts.size(), plate.lines.size()) << i;
       EXPECT_LT(plate.window[0], plate.window[2]) << i;
@@ -59,7 +59,7 @@ TEST(CurvePlates, SmallTurnsAreShownFromFarAndNear) {
   const auto candidates = candidates_of(task, curves);
   ASSERT_FALSE(candidates.empty());
   const auto plates = four_pose_plates(task, curves, candidates);
-  ASSERT_EQ(plates.size(), 4u);
+  ASSERT_EQ(plates.size(), 5u);
   EXPECT_EQ(plates[0].name, "curves");
   EXPECT_EQ(plates[1].name, "curves_near");
   const auto poles = lines(plates[0], "pole");
@@ -88,6 +88,38 @@ TEST(CurvePlates, TheCompatibilityLinkageCloses) {
     for (const std::size_t mode : {0u, 1u})  // frame, then three bars, the last back at the origin
       EXPECT_LT(vector_of(lines(plate, "bar")[3 * mode + 2][1]).norm(), 1e-12 * (1 + std::abs(form.delta()[0]))) << i;
   }
+}
+
+TEST(CurvePlates, TheVectorsOfADyadLeadToEachPose) {
+  Random random("CurvePlates.TheVectorsOfADyadLeadToEachPose");
+  int with_linkage = 0;
+  for (int i = 0; i < 50; ++i) {
+    const FourPoseTask task = random_four_poses(random);
+    const auto curves = four_pose_curves(task).pieces;
+    const auto candidates = i % 2 == 0 ? candidates_of(task, curves) : std::vector<CandidateRecord>();
+    const auto plates = four_pose_plates(task, curves, candidates);
+    if (plates.back().name != "vector_diagram") continue;  // no linkage, nor a dyad at the angle tried
+    with_linkage += !candidates.empty();
+    const Plate& plate = plates.back();
+    const auto vectors = lines(plate, "vector");
+    ASSERT_EQ(vectors.size(), 11u) << i;
+    const auto length = [](const Polyline& v) { return (vector_of(v[1]) - vector_of(v[0])).norm(); };
+    const Polyline first = lines(plate, "vector", "Z1").at(0), second = lines(plate, "vector", "Z2").at(0);
+    const double size = length(first) + length(second);
+    for (std::size_t k = 0, j = 0; j < 4; k += j == 0 ? 2 : 3, ++j) {
+      EXPECT_EQ(vectors[k][0], lines(plate, "fixed_pivot", "M").at(0)[0]) << i;
+      EXPECT_EQ(vectors[k][1], vectors[k + 1][0]) << i;
+      EXPECT_EQ(vectors[k + 1][1], (std::array{task[j].x, task[j].y})) << i;
+      EXPECT_NEAR(length(vectors[k]), length(first), 1e-12 * size) << i;
+      EXPECT_NEAR(length(vectors[k + 1]), length(second), 1e-12 * size) << i;
+    }
+    const char* displacement[] = {"", "δ2", "δ3", "δ4"};
+    for (std::size_t j = 1; j < 4; ++j)
+      EXPECT_EQ(lines(plate, "vector", displacement[j]).at(0),
+                (Polyline{{task[0].x, task[0].y}, {task[j].x, task[j].y}}))
+          << i;
+  }
+  EXPECT_GT(with_linkage, 15);
 }
 
 TEST(CurvePlates, DegeneratePosesHaveNone) {
