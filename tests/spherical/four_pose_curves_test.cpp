@@ -267,7 +267,7 @@ TEST(SphericalFourPoseCurves, HalfTurnsAreOrdinaryAndSymmetricSetsSplit) {
             "a curve of dyads: circle points and centre points, split into 3 great circles, in 1 component, proved; "
             "the sliders among them are not decided");
   for (const CurveRecord& piece : three.curves)
-    for (const std::vector<double>& a : piece.moving) EXPECT_LT(std::abs(a[0] * a[1] * a[2]), 1e-15);
+    for (const PointRecord& a : piece.moving) EXPECT_LT(std::abs(a[0] * a[1] * a[2]), 1e-15);
   // mirror images of each other in pairs: a great circle and a cone
   const FourPoseTask mirrored{Pose{3, 1, 2, 0}, Pose{3, -1, 2, 0}, Pose{5, 1, -1, 2}, Pose{5, -1, -1, -2}};
   const SphericalReport split = FourPoseSolver().solve(mirrored);
