@@ -128,7 +128,13 @@ void add_candidates(const Problem& problem, FourPoses poses, Synthesis& answer) 
     return;
   }
   const LinkageRequest request = problem.linkages.value_or(LinkageRequest{});
-  answer.candidates = candidates_of(poses, answer.curves, options_of(request));
+  std::vector<CurveRecord> curves = answer.curves;
+  if (const double far = curve_scale(poses) / task_size(poses); far > 1) {  // chords fit for the task
+    const CurveOptions whole;
+    const CurveOptions near{whole.tolerance / far, whole.longest / far, whole.window / far};
+    std::ranges::move(four_pose_curves(poses, near).pieces, std::back_inserter(curves));
+  }
+  answer.candidates = candidates_of(poses, curves, options_of(request));
   if (problem.linkages && answer.candidates.size() < request.most.value_or(1))
     answer.warnings.push_back(
         answer.candidates.empty()

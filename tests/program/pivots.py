@@ -137,6 +137,19 @@ class Pivots(ProgramTest):
         self.assertEqual(self.answer(problem(POSES[:3], near=near))["warnings"],
                          ["near: only four poses without given pivots leave a choice; ignored"])
 
+    def test_small_turns_are_seen_from_far(self):
+        text = problem([[0, 0, 0], [3, 1, 2], [5, -1, 3.5], [4, -4, 5]])
+        document = self.answer(text)
+        self.assertIn("the poles are far: listed within 256 of pose 1's origin, 45.3 task sizes", document["message"])
+        self.assertEqual([d["type"] for d in document["dyads"]], ["PR", "RP"])
+        self.assertGreater(max(abs(x) for curve in document["curves"] for c in curve["fixed"] for x in c), 200)
+        links = [c["links"] for c in document["candidates"]]
+        self.assertEqual(len(links), 6)
+        self.assertEqual(len({(l["input"], l["output"]) for l in links}), 6)
+        with tempfile.TemporaryDirectory() as folder:
+            self.good("synthesize", "-", "-o", folder, text=text)
+            self.assertLessEqual({"curves.svg", "curves_near.svg", "vector_diagram.svg"}, set(os.listdir(folder)))
+
     def test_linkages_as_asked_for(self):
         asked = {"fixed_in": [[9, 8], [-3, -6]], "moving_in": [[-8, -8], [8, 8]], "classes": ["crank-rocker", "double-crank"],
                  "largest_ratio": 8, "most": 3}
