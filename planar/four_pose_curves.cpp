@@ -51,8 +51,8 @@ class Task {
   Matrix<double, 2, 2> to_body_;  ///< directions of S in E, in pose 1
 };
 
-/// The partner of the real point at infinity of a circular cubic (x^2 + y^2)(c0 x + c6 y) + ..; zero where there is more
-/// than one such point or more than one partner.
+/// The partner of the real point at infinity of a circular cubic (x^2 + y^2)(c0 x + c6 y) + ..; zero where there is
+/// more than one such point or more than one partner.
 Point2<Rational> partner_of_far_point(const ThreeCorrelations<Rational>& n) {
   const Cubic<Rational> f = points_with_partner(n);
   return partner(n, Point2<Rational>{f.c[6], Rational(-f.c[0]), Rational(0)});

@@ -17,8 +17,8 @@ namespace burmester::planar {
 
 using FourPoses = std::span<const Pose, 4>;
 
-/// The curves are looked at in this length: the task size or, where the turns are small and the poles far away, half the
-/// distance from pose 1's origin within which three of the six poles are; not above 2^20 task sizes. Length units.
+/// The curves are looked at in this length: the task size or, where the turns are small and the poles far away, half
+/// the distance from pose 1's origin within which three of the six poles are; not above 2^20 task sizes. Length units.
 double curve_scale(FourPoses poses);
 constexpr double largest_scale = 0x1p20;
 
