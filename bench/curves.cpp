@@ -8,6 +8,7 @@
 //   topology_cgal         the same by CGAL's curve analysis, which takes any plane curve up to degree six
 //   traced                topology and about 1000 paired points with a proved error
 //   four_pose_curves      the same from poses to records of pairs, as the library gives them
+//   four_pose_curves_in_solves   the same in turn with bare solves; counter: bare solves for 1000 pairs
 //   traced_one            the traced curve alone, without partners: same tolerance, longest chord and window
 //   arcs                  CGAL's arcs of it
 //   traced_arcs           the same picture from the arcs, which any plane curve up to degree six has
@@ -26,6 +27,7 @@
 #include "burmester/planar/space.hpp"
 #include "burmester/planar/tasks.hpp"
 #include "positions.hpp"
+#include "studies/thread_time.hpp"
 
 namespace {
 
@@ -51,10 +53,15 @@ CubicBranches by_rationals(const FourPoses& poses) {
   return branches_by_rationals(points_with_partner(n), vertex(n[0]));
 }
 
-void five_pose_bare(benchmark::State& state) {
+std::vector<planar::FivePoseTask> five_pose_tasks() {
   Random random("bench.curves.five_pose_bare");
-  std::vector<planar::FivePoseTask> pool;
-  for (int i = 0; i < 4096; ++i) pool.push_back(planar::find_task_class("generic")->make(random));
+  std::vector<planar::FivePoseTask> out;
+  for (int i = 0; i < 4096; ++i) out.push_back(planar::find_task_class("generic")->make(random));
+  return out;
+}
+
+void five_pose_bare(benchmark::State& state) {
+  const auto pool = five_pose_tasks();
   std::size_t i = 0;
   for (auto _ : state) benchmark::DoNotOptimize(planar::five_pose_roots(pool[i++ % pool.size()]));
 }
@@ -108,18 +115,49 @@ void traced(benchmark::State& state) {
 }
 BENCHMARK(traced);
 
-void four_pose_curves(benchmark::State& state) {
+std::vector<std::array<planar::Pose, 4>> four_pose_tasks() {
   Random random("bench.curves.four_pose_curves");
-  std::vector<std::array<planar::Pose, 4>> pool(256);
-  for (auto& poses : pool)
+  std::vector<std::array<planar::Pose, 4>> out(256);
+  for (auto& poses : out)
     for (planar::Pose& p : poses) p = planar::Space::random_pose(random);
+  return out;
+}
+
+std::size_t listed_pairs(const std::array<planar::Pose, 4>& poses) {
+  std::size_t pairs = 0;
+  for (const CurveRecord& piece : planar::four_pose_curves(poses, {1.5e-5, 0.5, 8}).pieces)
+    pairs += piece.moving.size();
+  return pairs;
+}
+
+void four_pose_curves(benchmark::State& state) {
+  const auto pool = four_pose_tasks();
   std::size_t i = 0, points = 0;
-  for (auto _ : state)
-    for (const CurveRecord& piece : planar::four_pose_curves(pool[i++ % pool.size()], {1.5e-5, 0.5, 8}).pieces)
-      points += piece.moving.size();
+  for (auto _ : state) points += listed_pairs(pool[i++ % pool.size()]);
   state.counters["points"] = static_cast<double>(points) / static_cast<double>(i);
 }
 BENCHMARK(four_pose_curves);
+
+/// In turn, so that a change of the processor's speed meets both.
+void four_pose_curves_in_solves(benchmark::State& state) {
+  constexpr std::size_t solves = 256;
+  const auto pool = four_pose_tasks();
+  const auto five = five_pose_tasks();
+  std::size_t i = 0, points = 0;
+  double tracing = 0, solving = 0;
+  for (auto _ : state) {
+    const double start = thread_time();
+    points += listed_pairs(pool[i % pool.size()]);
+    const double traced = thread_time();
+    for (std::size_t k = 0; k < solves; ++k)
+      benchmark::DoNotOptimize(planar::five_pose_roots(five[(i * solves + k) % five.size()]));
+    tracing += traced - start, solving += thread_time() - traced;
+    ++i;
+  }
+  const double solve = solving / static_cast<double>(i * solves);
+  state.counters["solves_per_1000_pairs"] = tracing / solve / static_cast<double>(points) * 1000;
+}
+BENCHMARK(four_pose_curves_in_solves);
 
 constexpr TraceOptions picture{1.75e-5, 0.5, 10};
 

@@ -65,11 +65,19 @@ class Search {
     const double ground = (a.fixed - b.fixed).norm(), coupler = (a.moving - b.moving).norm();
     const auto [shortest, longest] = std::minmax({ground, a.length, coupler, b.length});
     if (!(longest <= options_.largest_ratio * shortest)) return std::nullopt;
-    CurveLinkage out{a, b, class_of(a, b), longest / shortest, passes(a, b, class_of(a, b))};
-    if (!out.one_branch && passes(b, a, class_of(b, a))) out = {b, a, class_of(b, a), out.link_ratio, true};
-    if (!options_.classes.empty() && std::ranges::find(options_.classes, out.motion_class) == options_.classes.end())
-      return std::nullopt;
-    return out;
+    const auto driven_at = [&](const RR::Design& first, const RR::Design& second) {
+      const std::string motion_class = class_of(first, second);
+      return CurveLinkage{first, second, motion_class, longest / shortest, passes(first, second, motion_class)};
+    };
+    CurveLinkage out = driven_at(a, b);
+    if (wanted(out) && out.one_branch) return out;
+    CurveLinkage other = driven_at(b, a);
+    if (wanted(other) && (other.one_branch || !wanted(out))) out = std::move(other);
+    return wanted(out) ? std::optional(std::move(out)) : std::nullopt;
+  }
+  bool wanted(const CurveLinkage& linkage) const {
+    const auto& classes = options_.classes;
+    return classes.empty() || std::ranges::find(classes, linkage.motion_class) != classes.end();
   }
 
   static std::string class_of(const RR::Design& a, const RR::Design& b) {

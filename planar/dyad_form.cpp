@@ -41,7 +41,7 @@ std::string words_for(const std::array<Pose, 4>& poses, const std::array<bool, 4
 
 }  // namespace
 
-DyadForm::DyadForm(FourPoses poses) : length_(power_of_two_below(task_size(poses))) {
+DyadForm::DyadForm(FourPoses poses) : length_(power_of_two_below(curve_scale(poses))) {
   std::copy(poses.begin(), poses.end(), poses_.begin());
   for (std::size_t j = 0; j < 3; ++j) {
     d_[j] = {poses[j + 1].x - poses[0].x, poses[j + 1].y - poses[0].y};

@@ -61,6 +61,9 @@ struct DyadFormPiece {
 
 class DyadForm {
  public:
+  static constexpr const char* name = "four poses, dyad form";
+  static constexpr const char* answers =
+      "points of the same curves by W and Z and the compatibility linkage, mode by mode: in figures, and as a check";
   explicit DyadForm(FourPoses poses);
 
   /// What is wrong with the poses, in words; empty where nothing is. The rest has a meaning only then.

@@ -1,9 +1,12 @@
 #include "burmester/planar/four_pose_curves.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <optional>
+#include <limits>
 #include <string>
 
 #include "burmester/geometry/line_fit.hpp"
@@ -13,13 +16,18 @@
 #include "burmester/planar/classify.hpp"
 #include "burmester/planar/dyad_form.hpp"
 #include "burmester/planar/equidistance.hpp"
+#include "burmester/planar/poles.hpp"
 
 namespace burmester::planar {
 namespace {
 
+constexpr double farthest_slider = 0x1p31;  // task sizes: at 2^31 its places are rounded by 2^-22 of one
+
 class Task {
  public:
-  explicit Task(FourPoses poses) : poses_(poses), length_(power_of_two_below(task_size(poses))) {}
+  explicit Task(FourPoses poses) : poses_(poses), length_(power_of_two_below(curve_scale(poses))) {
+    for (int k = 0; k < 2; ++k) to_body_.col(k) = to_moving({0, 0, first().X3, first().X4}, Vector2::Unit(k));
+  }
 
   FourPoses poses() const { return poses_; }
   const Pose& first() const { return poses_[0]; }
@@ -31,7 +39,7 @@ class Task {
     return n;
   }
   Vector2 moving(const Point2<double>& p) const {  // in E
-    return to_moving({0, 0, first().X3, first().X4}, length_ / p[2] * Vector2(p[0], p[1]));
+    return to_body_ * Vector2(length_ / p[2] * Vector2(p[0], p[1]));
   }
   Vector2 fixed(const Point2<double>& c) const {  // in S
     return length_ / c[2] * Vector2(c[0], c[1]) + Vector2(first().x, first().y);
@@ -40,34 +48,41 @@ class Task {
  private:
   FourPoses poses_;
   double length_;
+  Matrix<double, 2, 2> to_body_;  ///< directions of S in E, in pose 1
 };
 
-/// The real point at infinity of a circular cubic (x^2 + y^2)(c0 x + c6 y) + .., zero where there is more than one.
-Point2<double> far_point(const Cubic<double>& f) { return {f.c[6], -f.c[0], 0}; }
-
-/// The partner of a far point, if it is near.
-std::optional<Point2<double>> partner_of_far_point(const ThreeCorrelations<double>& n) {
-  const Cubic<double> f = points_with_partner(n);
-  if (!(std::abs(f.c[0]) + std::abs(f.c[6]) > 256 * unit_roundoff * f.gradient_bound())) return std::nullopt;
-  const Point2<double> p = partner(n, far_point(f));
-  if (!(std::abs(p[2]) > 256 * unit_roundoff * p.norm())) return std::nullopt;
-  return p;
+/// The partner of the real point at infinity of a circular cubic (x^2 + y^2)(c0 x + c6 y) + ..; zero where there is
+/// more than one such point or more than one partner.
+Point2<Rational> partner_of_far_point(const ThreeCorrelations<Rational>& n) {
+  const Cubic<Rational> f = points_with_partner(n);
+  return partner(n, Point2<Rational>{f.c[6], Rational(-f.c[0]), Rational(0)});
 }
 
-void add_sliders(const Task& task, PlanarReport& report) {
-  const auto n = task.correlations<double>();
-  const FourPoses poses = task.poses();
+/// The slider whose one pivot is the point p, in units of the task, or a warning that says why there is none.
+template <class D>
+void add_slider(const Point2<Rational>& p, Vector2 (Task::*pivot_of)(const Point2<double>&) const,
+                Vector2 (*place)(const Pose&, const Vector2&), const Task& task, PlanarReport& report) {
+  const auto missing = [&](const std::string& why) {
+    report.warnings.push_back(fmt::format("no {} dyad is listed: {}", D::name, why));
+  };
+  if (p.isZero(0)) return missing("its pivot is not a single point");
+  if (p[2] == 0) return missing("its pivot is at infinity");
+  const Point2<double> near{approximate(Rational(p[0] / p[2])), approximate(Rational(p[1] / p[2])), 1};
+  const double distance = task.length() * near.head<2>().norm(), size = task_size(task.poses());
+  if (!(distance < farthest_slider * size))
+    return missing(fmt::format("its pivot is {:.1e} task sizes away", distance / size));
+  const Vector2 pivot = (task.*pivot_of)(near);
   std::array<Vector2, 4> places;
-  if (const auto p = partner_of_far_point({n[0].transpose(), n[1].transpose(), n[2].transpose()})) {
-    const Vector2 moving = task.moving(*p);
-    for (std::size_t j = 0; j < 4; ++j) places[j] = to_fixed(poses[j], moving);
-    report.dyads.push_back(found_slider<PR, Dyads>({moving, line_of(fit_line(places))}, poses));
-  }
-  if (const auto c = partner_of_far_point(n)) {
-    const Vector2 fixed = task.fixed(*c);
-    for (std::size_t j = 0; j < 4; ++j) places[j] = to_moving(poses[j], fixed);
-    report.dyads.push_back(found_slider<RP, Dyads>({fixed, line_of(fit_line(places))}, poses));
-  }
+  std::ranges::transform(task.poses(), places.begin(), [&](const Pose& pose) { return place(pose, pivot); });
+  report.dyads.push_back(found_slider<D, Dyads>({pivot, line_of(fit_line(places))}, task.poses()));
+}
+
+/// Exact, as a sum of terms that nearly cancel where the turns are small.
+void add_sliders(const Task& task, PlanarReport& report) {
+  auto n = task.correlations<Rational>();
+  add_slider<RP>(partner_of_far_point(n), &Task::fixed, to_moving, task, report);
+  for (Correlation<Rational>& m : n) m.transposeInPlace();
+  add_slider<PR>(partner_of_far_point(n), &Task::moving, to_fixed, task, report);
 }
 
 std::string degeneracy_of(FourPoses poses) {
@@ -83,7 +98,23 @@ std::string degeneracy_of(FourPoses poses) {
 
 constexpr CurveWords words{"line", "conic"};
 
+double distance_of(const Point2<double>& p) {
+  return p[2] == 0 ? std::numeric_limits<double>::infinity() : p.head<2>().norm() / std::abs(p[2]);
+}
+
 }  // namespace
+
+double curve_scale(FourPoses poses) {
+  const auto seen = [&](std::size_t j) {  // from pose 1's origin
+    return Pose{poses[j].x - poses[0].x, poses[j].y - poses[0].y, poses[j].X3, poses[j].X4};
+  };
+  std::array<double, 6> distances;
+  for (std::size_t i = 0, k = 0; i < 4; ++i)
+    for (std::size_t j = i + 1; j < 4; ++j) distances[k++] = distance_of(relative_pole(seen(i), seen(j)));
+  std::ranges::nth_element(distances, distances.begin() + 2);
+  const double size = task_size(poses);
+  return std::clamp(distances[2] / 2, size, largest_scale * size);
+}
 
 FourPoseCurves four_pose_curves(FourPoses poses, const CurveOptions& options) {
   const Task task(poses);
@@ -100,7 +131,12 @@ PlanarReport FourPoseSolver::solve(std::span<const Pose> poses) const {
   const FourPoses four = poses.first<4>();
   PlanarReport report = curve_report<Dyads>(four_pose_curves(four), words);
   if (report.status == Status::degenerate) return report;
-  add_sliders(Task(four), report);
+  const Task task(four);
+  const double size = task_size(four), window = CurveOptions().window * task.length();
+  if (task.length() > power_of_two_below(size))
+    report.message += fmt::format("; the poles are far: listed within {:.3g} of pose 1's origin, {:.3g} task sizes",
+                                  window, window / size);
+  add_sliders(task, report);
   sort_dyads(report);
   return report;
 }

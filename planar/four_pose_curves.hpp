@@ -17,7 +17,12 @@ namespace burmester::planar {
 
 using FourPoses = std::span<const Pose, 4>;
 
-/// In task sizes, or up to twice as much: the unit is the power of two below the task size.
+/// The curves are looked at in this length: the task size or, where the turns are small and the poles far away, half
+/// the distance from pose 1's origin within which three of the six poles are; not above 2^20 task sizes. Length units.
+double curve_scale(FourPoses poses);
+constexpr double largest_scale = 0x1p20;
+
+/// In curve scales, or up to twice as much: the unit is the power of two below the curve scale.
 struct CurveOptions {
   double tolerance = 1e-4;  ///< largest error of a piece
   double longest = 0.25;    ///< longest chord

@@ -7,14 +7,19 @@
 // the shortest link. Slider-cranks: the crank turns fully when coupler >= crank + |offset|.
 #pragma once
 
+#include <array>
+#include <string>
+#include <vector>
+
 #include "burmester/modules/framework/record.hpp"
 #include "burmester/modules/framework/report.hpp"
 #include "burmester/planar/dyads.hpp"
 
 namespace burmester::planar {
 
-/// crank-rocker, rocker-crank, double-crank, double-rocker, triple-rocker, change-point (shortest + longest equals
-/// the sum of the others to within `tolerance`, a length).
+inline constexpr std::array four_bar_classes{"crank-rocker",  "rocker-crank",  "double-crank",
+                                             "double-rocker", "triple-rocker", "change-point"};
+/// One of them; change-point where shortest + longest equals the sum of the others to within `tolerance`, a length.
 std::string four_bar_class(double ground, double input, double coupler, double output, double tolerance);
 
 /// All pairs of the dyads that make a linkage, numbered from 1; dyad ids are places in `dyads`, from 1.

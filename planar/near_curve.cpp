@@ -17,7 +17,7 @@ class Centres {
   using Pivots = planar::Pivots;
   static constexpr Surface surface = Surface::plane;
 
-  explicit Centres(FourPoses poses) : poses_(poses), length_(power_of_two_below(task_size(poses))) {}
+  explicit Centres(FourPoses poses) : poses_(poses), length_(power_of_two_below(curve_scale(poses))) {}
 
   double length() const { return length_; }
   Point2<double> seen(std::span<const double> c) const {

@@ -11,6 +11,7 @@
 #include "burmester/planar/curve_linkages.hpp"
 #include "burmester/planar/double_slider.hpp"
 #include "burmester/planar/drawing.hpp"
+#include "burmester/planar/dyad_form.hpp"
 #include "burmester/planar/five_pose_solver.hpp"
 #include "burmester/planar/four_pose_curves.hpp"
 #include "burmester/planar/linkage.hpp"
@@ -22,8 +23,9 @@ namespace burmester::planar {
 namespace {
 
 ModuleInfo describe() {
-  ModuleInfo info = built_in<Space, Dyads, FamilySolver, FourPoseSolver, FivePoseSolver>();
+  ModuleInfo info = built_in<Space, Dyads, FamilySolver, FourPoseSolver, DyadForm, FivePoseSolver>();
   info.csv_headers = {{"x", "y", "angle_deg"}, {"x", "y", "angle_rad"}};
+  info.linkage_classes.assign(four_bar_classes.begin(), four_bar_classes.end());
   return info;
 }
 
@@ -58,6 +60,19 @@ bool only_searched(const Problem& problem) {
   return known > 0 && known == problem.types.size();
 }
 
+CurveLinkageOptions options_of(const LinkageRequest& request) {
+  CurveLinkageOptions out;
+  const auto window = [](const LinkageRequest::Box& box) {
+    return PivotWindow{{box.low[0], box.low[1]}, {box.high[0], box.high[1]}};
+  };
+  if (request.fixed_in) out.fixed = window(*request.fixed_in);
+  if (request.moving_in) out.moving = window(*request.moving_in);
+  out.classes = request.classes;
+  out.largest_ratio = request.largest_ratio.value_or(out.largest_ratio);
+  out.wanted = request.most.value_or(out.wanted);
+  return out;
+}
+
 PlanarReport solve(const Problem& problem, std::span<const Pose> poses) {
   if (const double size = planar::task_size(poses); size < 1e-100)
     throw InputError(fmt::format("poses: expected origins that are equal or at least 1e-100 apart, got {}", size));
@@ -90,6 +105,26 @@ PlanarReport solve(const Problem& problem, std::span<const Pose> poses) {
   return report;
 }
 
+void add_candidates(const Problem& problem, FourPoses poses, Synthesis& answer) {
+  if (!problem.types.empty() && !asked_for(problem, RR::name)) {
+    if (problem.linkages) answer.warnings.push_back("linkages: RR dyads are not asked for; ignored");
+    return;
+  }
+  const LinkageRequest request = problem.linkages.value_or(LinkageRequest{});
+  std::vector<CurveRecord> curves = answer.curves;
+  if (const double far = curve_scale(poses) / task_size(poses); far > 1) {  // chords fit for the task
+    const CurveOptions whole;
+    const CurveOptions near{whole.tolerance / far, whole.longest / far, whole.window / far};
+    std::ranges::move(four_pose_curves(poses, near).pieces, std::back_inserter(curves));
+  }
+  answer.candidates = candidates_of(poses, curves, options_of(request));
+  if (problem.linkages && answer.candidates.size() < request.most.value_or(1))
+    answer.warnings.push_back(
+        answer.candidates.empty()
+            ? "linkages: no two dyads of the curves as listed are as asked for"
+            : fmt::format("linkages: only {} different ones are as asked for", answer.candidates.size()));
+}
+
 class PlanarModule final : public Module {
  public:
   const ModuleInfo& info() const override { return info_; }
@@ -111,8 +146,8 @@ class PlanarModule final : public Module {
     const PlanarReport report = solve(problem, poses);
     Synthesis answer{report.status,       report.message, report.counts, records_of(report),
                      linkages_of(report.dyads, planar::task_size(poses)), report.warnings, report.curves, report.family};
-    if (!report.curves.empty() && (problem.types.empty() || asked_for(problem, RR::name)))
-      answer.candidates = candidates_of(std::span(poses).first<4>(), report.curves);
+    if (!report.curves.empty())
+      add_candidates(problem, std::span(poses).first<4>(), answer);
     return answer;
   }
   Drawing draw(const Problem& problem, const Synthesis& answer) const override {

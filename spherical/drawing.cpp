@@ -27,7 +27,7 @@ std::vector<SphereStroke> task_strokes(const std::vector<Pose>& poses) {
 
 /// Axes are lines: the curve and its opposite, unless it runs through both ends of its axes anyway. A curve of moving
 /// axes as it lies in the pose `frame`.
-void append_curve(const char* role, const std::vector<std::vector<double>>& axes, bool closed, const Pose& frame,
+void append_curve(const char* role, const std::vector<PointRecord>& axes, bool closed, const Pose& frame,
                   std::vector<SphereStroke>& strokes) {
   SphereStroke curve{.role = role, .closed = closed}, opposite = curve;
   for (const auto& a : axes) {

@@ -18,7 +18,7 @@ class Sheet {
 
   std::string draw(const std::string& unit) {
     for (const std::string_view role : {"coupler", "limit", "circle_points", "centre_points", "frame_link", "bar",
-                                        "link", "pole", "meeting", "fixed_pivot", "moving_pivot", "frame"})
+                                        "link", "vector", "pole", "meeting", "fixed_pivot", "moving_pivot", "frame"})
       for (std::size_t k = 0; k < plate_.parts.size(); ++k)
         if (plate_.parts[k].role == role) part(plate_.parts[k], placed(plate_.lines[k]));
     svg_.text({14, 8}, plate_.caption, fmt::format("font-size=\"12\" fill=\"{}\"", soft_ink));
@@ -47,6 +47,8 @@ class Sheet {
                     fmt::format("fill=\"{0}\" fill-opacity=\"0.12\" stroke=\"{0}\" stroke-width=\"1.6\"", ink));
     } else if (part.role == "link" || part.role == "bar" || part.role == "frame_link") {
       bar(part, line, style == 1);
+    } else if (part.role == "vector") {
+      vector(part, line);
     } else if (part.role == "limit") {
       svg_.polyline(line, false,
                     fmt::format("fill=\"none\" stroke=\"{}\" stroke-dasharray=\"1 4\" stroke-linecap=\"round\" "
@@ -76,6 +78,15 @@ class Sheet {
     svg_.label({(line[0][0] + line[1][0]) / 2 - 16 * along[1] / size - 8,
                 (line[0][1] + line[1][1]) / 2 + 16 * along[0] / size},
                part.label, fmt::format("fill=\"{}\"", ink));
+  }
+  void vector(const Part& part, const Polyline& line) {
+    const std::string_view colour = pose_colour(static_cast<std::size_t>(part.dyad));
+    const Point2 along{line[1][0] - line[0][0], line[1][1] - line[0][1]};
+    const double size = std::hypot(along[0], along[1]);
+    if (!(size > 8)) return;  // pixels: no room for an arrow
+    svg_.arrow(line[0], {along[0] / size, along[1] / size}, size, colour, false);
+    svg_.label({(line[0][0] + line[1][0]) / 2 + 6, (line[0][1] + line[1][1]) / 2 - 6}, part.label,
+               fmt::format("fill=\"{}\"", colour));
   }
   void mark(const Part& part, const Point2& p) {
     if (!svg_.inside(p)) return;

@@ -17,8 +17,7 @@ using namespace burmester::spherical;
 
 double seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-double change_of_arc(const std::array<Pose, 4>& poses, const std::vector<double>& moving,
-                     const std::vector<double>& fixed) {
+double change_of_arc(const std::array<Pose, 4>& poses, const PointRecord& moving, const PointRecord& fixed) {
   const Axis a(moving[0], moving[1], moving[2]), b(fixed[0], fixed[1], fixed[2]);
   double least = 4, largest = 0;
   for (const Pose& pose : poses) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -26,10 +27,14 @@ template <class Task>
 CurveRecord record_of(const CurvePiece& piece, const Task& task) {
   CurveRecord out{piece.component, piece.closed, piece.max_error * task.length(), {}, {}};
   double farthest = 0;
-  const auto add = [&](std::vector<std::vector<double>>& to, const auto& p) {
+  const auto add = [&](std::vector<PointRecord>& to, const auto& p) {
     farthest = std::max(farthest, p.cwiseAbs().maxCoeff());
-    to.emplace_back(p.data(), p.data() + p.size());
+    if constexpr (std::remove_cvref_t<decltype(p)>::SizeAtCompileTime == 2)
+      to.emplace_back(p[0], p[1]);
+    else
+      to.emplace_back(p[0], p[1], p[2]);
   };
+  out.moving.reserve(piece.points.size()), out.fixed.reserve(piece.partners.size());
   for (const Point2<double>& p : piece.points) add(out.moving, task.moving(p));
   for (const Point2<double>& c : piece.partners) add(out.fixed, task.fixed(c));
   out.max_error += 16 * unit_roundoff * (farthest + 8 * task.length());  // the change of frame, rounded

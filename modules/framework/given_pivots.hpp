@@ -261,6 +261,8 @@ std::vector<std::string> ignored_requests(const Problem& problem) {
   const bool given = !problem.fixed.empty() || !problem.moving.empty();
   if (!problem.near.empty() && (problem.poses.size() != 4 || given))
     warnings.push_back(fmt::format("near: only four poses without given {} leave a choice; ignored", G::pivots));
+  if (problem.linkages && (problem.poses.size() != 4 || given))
+    warnings.push_back(fmt::format("linkages: only four poses without given {} leave a choice; ignored", G::pivots));
   if (!problem.weights.empty() && given)
     warnings.push_back(fmt::format("weights: fits with given {} count all poses alike; ignored", G::pivots));
   else if (!problem.weights.empty() && problem.poses.size() <= 5)

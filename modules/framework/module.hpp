@@ -27,6 +27,7 @@ struct ModuleInfo {
   std::vector<std::vector<std::string>> csv_headers;  ///< accepted header lines, e.g. {x, y, angle_deg}
   int point_size = 2;  ///< coordinates of a pivot in files
   std::vector<std::pair<std::string, std::string>> type_aliases{};  ///< asked for and meant: on the sphere RP, PR
+  std::vector<std::string> linkage_classes{};  ///< of the linkages ranked from a curve of dyads; empty: none are ranked
 };
 
 /// What the types of a built-in module say of themselves: its pose space, its DyadList, its solvers, each with the two

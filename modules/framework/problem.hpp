@@ -1,6 +1,7 @@
 // A synthesis problem as a module receives it, and the two ways in which one cannot be answered.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -17,6 +18,17 @@ struct Units {
 /// (planar x, y, X3, X4; spherical the quaternion w, x, y, z).
 using PoseData = std::vector<double>;
 
+/// Which linkages from pairs of points of a curve of dyads are listed. What is not asked for is the module's choice.
+struct LinkageRequest {
+  struct Box {
+    std::vector<double> low, high;  ///< corners, both belong to it
+  };
+  std::optional<Box> fixed_in, moving_in;  ///< where the pivots may be, in S and in E
+  std::vector<std::string> classes;        ///< empty: all
+  std::optional<double> largest_ratio;     ///< of the longest to the shortest link
+  std::optional<std::size_t> most;         ///< length of the list
+};
+
 struct Problem {
   std::string geometry, name, source;
   Units units;
@@ -25,6 +37,7 @@ struct Problem {
   std::vector<std::vector<double>> fixed, moving;   ///< dyads are asked for with these pivots
   std::vector<std::optional<double>> weights;       ///< more than five poses; no value: the pose is met exactly
   std::vector<std::vector<double>> near;            ///< four poses: places near which a dyad is wanted
+  std::optional<LinkageRequest> linkages;           ///< four poses
   bool certify = true;                              ///< prove the answer where that is known how
   std::vector<std::string> warnings;                ///< what the reader noticed
 };

@@ -1,6 +1,8 @@
 #include "burmester/modules/framework/problem_io.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -111,13 +113,56 @@ std::vector<std::optional<double>> read_weights(const InputNode& root, std::size
   return weights;
 }
 
+LinkageRequest::Box read_box(const InputNode& node, std::size_t size) {
+  if (!node.is_array() || node.size() != 2) node.fail("two opposite corners");
+  LinkageRequest::Box box{node.at(0).numbers(size), node.at(1).numbers(size)};
+  for (std::size_t k = 0; k < size; ++k)
+    if (box.low[k] > box.high[k]) std::swap(box.low[k], box.high[k]);
+  return box;
+}
+
+std::size_t read_count(const InputNode& node, std::size_t most) {
+  const double count = node.number();
+  if (!(count >= 1 && count <= static_cast<double>(most) && count == std::floor(count)))
+    node.fail(fmt::format("a whole number from 1 to {}", most));
+  return static_cast<std::size_t>(count);
+}
+
+std::optional<LinkageRequest> read_linkages(const InputNode& root, const Module& module) {
+  if (!root.has("linkages")) return std::nullopt;
+  const InputNode node = root.at("linkages");
+  if (!node.is_object()) node.fail("an object, what the linkages listed for four poses are to be like");
+  const ModuleInfo& info = module.info();
+  if (info.linkage_classes.empty()) {
+    node.warn(fmt::format("the {} module ranks no linkages; ignored", info.name));
+    return std::nullopt;
+  }
+  node.expect_keys({"fixed_in", "moving_in", "classes", "largest_ratio", "most"});
+  LinkageRequest out;
+  const auto size = static_cast<std::size_t>(info.point_size);
+  if (node.has("fixed_in")) out.fixed_in = read_box(node.at("fixed_in"), size);
+  if (node.has("moving_in")) out.moving_in = read_box(node.at("moving_in"), size);
+  if (node.has("classes")) {
+    const InputNode classes = node.at("classes");
+    if (!classes.is_array() || classes.size() == 0)
+      classes.fail("an array of classes, " + one_of(info.linkage_classes));
+    for (std::size_t i = 0; i < classes.size(); ++i) out.classes.push_back(classes.at(i).choice(info.linkage_classes));
+  }
+  if (node.has("largest_ratio")) {
+    out.largest_ratio = node.at("largest_ratio").number();
+    if (!(*out.largest_ratio >= 1)) node.at("largest_ratio").fail("a number that is not below 1");
+  }
+  if (node.has("most")) out.most = read_count(node.at("most"), most_linkages);
+  return out;
+}
+
 Problem read_json(std::string_view text, const Registry& registry, const ReadOptions& options) {
   const InputDocument document(text, options.file);
   const InputNode root = document.root();
   if (!root.is_object()) root.fail("a problem, an object with geometry and poses");
   check_schema(root);
   root.expect_keys({"schema", "geometry", "name", "source", "units", "poses", "types", "fixed", "moving",
-                    "weights", "near"});
+                    "weights", "near", "linkages"});
   const Module& module = module_of(root, registry, options);
   Problem problem;
   problem.geometry = module.info().name;
@@ -130,6 +175,7 @@ Problem read_json(std::string_view text, const Registry& registry, const ReadOpt
   problem.moving = read_points(root, "moving", module);
   problem.weights = read_weights(root, problem.poses.size());
   problem.near = read_points(root, "near", module);
+  problem.linkages = read_linkages(root, module);
   problem.warnings = document.warnings();
   return problem;
 }

@@ -18,6 +18,7 @@ struct ReadOptions {
 };
 
 inline constexpr std::size_t most_poses = 100000;
+inline constexpr std::size_t most_linkages = 1000;  ///< in a list that a problem may ask for
 
 /// Throws InputError: one line with file, place and what was expected.
 Problem read_problem(std::string_view text, const Registry& registry, const ReadOptions& options);

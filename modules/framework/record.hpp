@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -48,12 +49,28 @@ struct LinkageRecord {
   std::optional<double> offset, coupler_offset;  ///< of a pivot from a guide on the same link; the second: PRPR's other
 };
 
+/// A point of a curve: two coordinates in the plane, three on the sphere. A curve has thousands; they share one block.
+class PointRecord {
+ public:
+  using value_type = double;
+  PointRecord(double x, double y) : values_{x, y, 0}, size_(2) {}
+  PointRecord(double x, double y, double z) : values_{x, y, z}, size_(3) {}
+  std::size_t size() const { return size_; }
+  double operator[](std::size_t k) const { return values_[k]; }
+  const double* begin() const { return values_.data(); }
+  const double* end() const { return begin() + size_; }
+
+ private:
+  std::array<double, 3> values_;
+  std::size_t size_;
+};
+
 /// A part of a curve of dyads: polylines of paired pivots.
 struct CurveRecord {
   int component = 0;    ///< pieces of one component share the number, from 0
   bool closed = false;  ///< a whole closed component; the first point is not repeated
   double max_error = 0;  ///< distance between the polylines and the true curves, at most
-  std::vector<std::vector<double>> moving, fixed;
+  std::vector<PointRecord> moving, fixed;
 };
 
 /// Where a displacement from one pose to another leaves the body's points: the pole, on the sphere the axis of rotation.

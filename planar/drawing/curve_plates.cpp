@@ -13,7 +13,7 @@ namespace {
 
 std::array<double, 2> pair_of(const Vector2& p) { return {p[0], p[1]}; }
 std::array<double, 2> pair_of(Complex z) { return {z.real(), z.imag()}; }
-Vector2 vector_of(const std::vector<double>& p) { return {p[0], p[1]}; }
+Vector2 vector_of(std::span<const double> p) { return {p[0], p[1]}; }
 
 /// A plate in the making, and the box that its window is made of.
 class Sheet {
@@ -44,14 +44,14 @@ class Sheet {
 
 class Plates {
  public:
-  explicit Plates(FourPoses poses) : poses_(poses), size_(task_size(poses)), centre_(0, 0) {
+  /// Windows hold the poles within two `reach` of the poses.
+  Plates(FourPoses poses, double reach) : poses_(poses), size_(task_size(poses)), reach_(reach), centre_(0, 0) {
     for (const Pose& p : poses) centre_ += Vector2(p.x, p.y) / 4;
   }
 
-  Plate curves(const std::vector<CurveRecord>& curves, const std::vector<CandidateRecord>& candidates) const {
-    Sheet sheet(
-        "curves", "Circle points and centre points",
-        "circles: circle points (body in pose 1); stars: centre points; squares: poles");
+  Plate curves(const char* name, const char* title, const std::vector<CurveRecord>& curves,
+               const std::vector<CandidateRecord>& candidates) const {
+    Sheet sheet(name, title, "circles: circle points (body in pose 1); stars: centre points; squares: poles");
     for (const CurveRecord& c : curves) {
       Polyline moving, fixed;
       for (const auto& m : c.moving) moving.push_back(pair_of(to_fixed(poses_[0], vector_of(m))));
@@ -87,6 +87,26 @@ class Plates {
     return sheet.finished(0.3);
   }
 
+  /// Of one dyad: M at `fixed`, K at `moving` in E.
+  Plate vectors(const Vector2& moving, const Vector2& fixed) const {
+    Sheet sheet("vector_diagram", "Vector diagram of a dyad",
+                "in each pose Z1 from M to K, Z2 from K to the body's origin; δj moves the origin");
+    const auto origin = [&](std::size_t j) { return std::array{poses_[j].x, poses_[j].y}; };
+    for (std::size_t j = 0; j < 4; ++j) {
+      const auto joint = pair_of(to_fixed(poses_[j], moving));
+      const int style = static_cast<int>(j);
+      sheet.add("vector", j == 0 ? "Z1" : "", {pair_of(fixed), joint}, style);
+      sheet.add("vector", j == 0 ? "Z2" : "", {joint, origin(j)}, style);
+      if (j > 0) sheet.add("vector", fmt::format("δ{}", j + 1), {origin(0), origin(j)}, style);
+      sheet.add("moving_pivot", fmt::format("K{}", j + 1), {joint});
+      sheet.show(joint);
+    }
+    sheet.add("fixed_pivot", "M", {pair_of(fixed)});
+    sheet.show(pair_of(fixed));
+    add_poses(sheet);
+    return sheet.finished(0.15);
+  }
+
   Plate compatibility(const DyadForm& form) const {
     Sheet sheet(
         "compatibility_linkage", "Compatibility linkage",
@@ -118,7 +138,7 @@ class Plates {
   }
 
  private:
-  bool near(const Vector2& p) const { return (p - centre_).cwiseAbs().maxCoeff() < 2 * size_; }
+  bool near(const Vector2& p) const { return (p - centre_).cwiseAbs().maxCoeff() < 2 * reach_; }
 
   void add_poses(Sheet& sheet) const {
     for (std::size_t j = 0; j < 4; ++j) {
@@ -156,7 +176,7 @@ class Plates {
   }
 
   FourPoses poses_;
-  double size_;
+  double size_, reach_;
   Vector2 centre_;
 };
 
@@ -164,13 +184,25 @@ class Plates {
 
 std::vector<Plate> four_pose_plates(FourPoses poses, const std::vector<CurveRecord>& curves,
                                     const std::vector<CandidateRecord>& candidates) {
-  const Plates plates(poses);
+  const double size = task_size(poses), scale = curve_scale(poses);
+  const Plates plates(poses, scale), near(poses, size);
+  const bool linkage_is_small = scale > 2 * size && !candidates.empty();
   std::vector<Plate> out;
-  if (!curves.empty()) out.push_back(plates.curves(curves, candidates));
+  if (!curves.empty())
+    out.push_back(plates.curves("curves", "Circle points and centre points", curves,
+                                linkage_is_small ? std::vector<CandidateRecord>() : candidates));
+  if (linkage_is_small)
+    out.push_back(near.curves("curves_near", "Circle points and centre points near the poses", curves, candidates));
   const DyadForm form(poses);
   if (!form.degeneracy().empty()) return out;
   out.push_back(plates.modes(form));
   out.push_back(plates.compatibility(form));
+  if (!candidates.empty()) {
+    const DyadRecord& dyad = candidates[0].dyads[0];
+    out.push_back(plates.vectors(vector_of(dyad.moving), vector_of(dyad.fixed)));
+  } else if (const FreeRange& range = form.ranges()[0]; const auto pair = form.at(range.middle + 0.4 * range.half, 1)) {
+    out.push_back(plates.vectors(pair->moving, pair->fixed));
+  }
   return out;
 }
 

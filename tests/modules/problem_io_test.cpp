@@ -32,7 +32,8 @@ std::string with(const std::string& member) {
 TEST(ReadProblem, TakesEverythingTheFormatHas) {
   const Problem p = read(R"({"schema": "burmester/problem/1", "geometry": "flat", "name": "n", "source": "s",
     "units": {"length": "mm", "angle": "rad"}, "poses": [{"a": 1, "angle": 2}, [3, 4]], "types": ["RP", "RR"],
-    "fixed": [[0, 0], [16, 0]], "moving": [[1, 2]], "weights": [1.5, "exact"], "near": [[3, 4]]})");
+    "fixed": [[0, 0], [16, 0]], "moving": [[1, 2]], "weights": [1.5, "exact"], "near": [[3, 4]],
+    "linkages": {"fixed_in": [[5, 1], [2, 3]], "classes": ["even"], "largest_ratio": 4, "most": 3}})");
   EXPECT_EQ(p.geometry, "flat");
   EXPECT_EQ(p.name, "n");
   EXPECT_EQ(p.source, "s");
@@ -42,6 +43,13 @@ TEST(ReadProblem, TakesEverythingTheFormatHas) {
   EXPECT_THAT(p.types, ElementsAre("PR", "RR"));  // the module's alias
   EXPECT_EQ(p.fixed.size(), 2u);
   EXPECT_THAT(p.weights, ElementsAre(std::optional(1.5), std::nullopt));
+  ASSERT_TRUE(p.linkages && p.linkages->fixed_in);
+  EXPECT_THAT(p.linkages->fixed_in->low, ElementsAre(2, 1));
+  EXPECT_THAT(p.linkages->fixed_in->high, ElementsAre(5, 3));
+  EXPECT_FALSE(p.linkages->moving_in);
+  EXPECT_THAT(p.linkages->classes, ElementsAre("even"));
+  EXPECT_EQ(p.linkages->largest_ratio, 4);
+  EXPECT_EQ(p.linkages->most, 3u);
   EXPECT_TRUE(p.warnings.empty());
 }
 
@@ -87,6 +95,14 @@ TEST(ReadProblem, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(complaint(with(R"("weights": [1, "exactly"])")),
             "f: weights[1]: expected a number that is not negative, or \"exact\", got \"exactly\"");
   EXPECT_EQ(complaint(with(R"("weights": [0, 0])")), "f: weights: expected a weight that is not 0, got none");
+  EXPECT_EQ(complaint(with(R"("linkages": {"fixed_in": [[0, 1]]})")),
+            "f: linkages.fixed_in: expected two opposite corners, got an array of 1");
+  EXPECT_EQ(complaint(with(R"("linkages": {"classes": ["odd", "strange"]})")),
+            "f: linkages.classes[1]: expected even or odd, got \"strange\"");
+  EXPECT_EQ(complaint(with(R"("linkages": {"largest_ratio": 0.5})")),
+            "f: linkages.largest_ratio: expected a number that is not below 1, got 0.5");
+  EXPECT_EQ(complaint(with(R"("linkages": {"most": 1.5})")),
+            "f: linkages.most: expected a whole number from 1 to 1000, got 1.5");
   EXPECT_EQ(complaint(with(R"("name": ["n"])")), "f: name: expected a string, got an array of 1");
 }
 

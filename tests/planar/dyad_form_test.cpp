@@ -249,7 +249,7 @@ TEST(DyadForm, ItsSlidersAreThoseOfTheCubic) {
 /// Every vertex of the traced cubic lies on the sampled loops, and in one mode the loops have no gap.
 void expect_covered(const FourPoseTask& task, const std::string& name) {
   const CurveOptions options{1e-3, 0.25, 8};
-  const double unit = power_of_two_below(task_size(task));
+  const double unit = power_of_two_below(curve_scale(task));
   const auto pieces = DyadForm(task).sampled(options);
   const FourPoseCurves curves = four_pose_curves(task, options);
   for (const CurveRecord& curve : curves.pieces)

@@ -10,6 +10,7 @@
 
 #include "burmester/geometry/curve_analysis.hpp"
 #include "burmester/planar/five_pose_solver.hpp"
+#include "burmester/planar/poles.hpp"
 #include "cgal_leaks.hpp"
 #include "four_poses.hpp"
 
@@ -60,7 +61,7 @@ TEST(FourPoseCurves, TheirTopologyIsThatOfTheGeneralAnalysis) {
 TEST(FourPoseCurves, FivePoseDyadsLieOnAllFiveCurves) {
   Random random("FourPoseCurves.FivePoseDyadsLieOnAllFiveCurves");
   int dyads = 0;
-  for (int i = 0; i < 100; ++i) {
+  for (int i = 0; i < 200; ++i) {
     std::array<Pose, 5> five;
     for (Pose& p : five) p = Space::random_pose(random);
     const PlanarReport report = FivePoseSolver().solve(five);
@@ -85,7 +86,53 @@ TEST(FourPoseCurves, FivePoseDyadsLieOnAllFiveCurves) {
       }
     }
   }
-  EXPECT_GT(dyads, 500);
+  EXPECT_GT(dyads, 1000);
+}
+
+/// The smaller the turns, the farther the poles; the curves go with them, and so does what is looked at. Sliders go
+/// farther still, with the square of the turns.
+TEST(FourPoseCurves, SmallTurnsAreSeenFromFartherAway) {
+  Random random("FourPoseCurves.SmallTurnsAreSeenFromFartherAway");
+  for (int decade = 1; decade <= 5; ++decade) {
+    int complete = 0, sliders = 0;
+    constexpr int sets = 50;
+    for (int i = 0; i < sets; ++i) {
+      FourPoseTask task;
+      for (Pose& p : task) {
+        const double x = random.normal(), y = random.normal();
+        p = pose_from_radians(x, y, std::pow(10.0, -decade) * random.normal());
+      }
+      const FourPoseCurves curves = four_pose_curves(task);
+      for (const CurveRecord& piece : curves.pieces)
+        for (std::size_t k = 0; k < piece.moving.size(); k += 5) {
+          const Vector2 m(piece.moving[k][0], piece.moving[k][1]), c(piece.fixed[k][0], piece.fixed[k][1]);
+          // Rounding moves a far pivot by more.
+          EXPECT_LT(concyclicity(task, m, c), 1e-12 * (1 + m.norm() / task_size(task))) << decade << " " << i;
+        }
+      complete += curves.complete;
+      double nearest = curves.complete ? std::numeric_limits<double>::infinity() : 0;
+      for (std::size_t j = 0; j < 4; ++j)
+        for (std::size_t k = j + 1; k < 4; ++k) {
+          const Point2<double> p = relative_pole(task[j], task[k]);
+          nearest = std::min(nearest, distance_to_curves(p.head<2>() / p[2], curves.pieces, false));
+        }
+      EXPECT_LT(nearest, 1e-10 * curve_scale(task)) << decade << " " << i;
+
+      const PlanarReport report = FourPoseSolver().solve(task);
+      for (const auto& found : report.dyads) {
+        const auto* pr = std::get_if<PR::Design>(&found.design);
+        const Vector2 pivot = pr ? pr->moving : std::get<RP::Design>(found.design).fixed;
+        EXPECT_LT(found.residual, 1e-14 * (10 + pivot.norm())) << decade << " " << i;
+      }
+      const auto told = std::ranges::count_if(report.warnings, [](const std::string& warning) {
+        return warning.find("dyad is listed: its pivot is") != std::string::npos;
+      });
+      EXPECT_EQ(static_cast<int>(report.dyads.size() + static_cast<std::size_t>(told)), 2) << decade << " " << i;
+      sliders += static_cast<int>(report.dyads.size());
+    }
+    EXPECT_GT(complete, 0.8 * sets) << decade;
+    EXPECT_GT(sliders, decade < 4 ? 2 * sets - 1 : 0) << decade;
+  }
 }
 
 TEST(FourPoseCurves, SlidersMeetThePosesAndSwapUnderInversion) {

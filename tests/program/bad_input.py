@@ -53,6 +53,9 @@ class BadInput(ProgramTest):
                "schema": [1, "burmester/problem/2", "burmester/linkage/1", "burmester/platform/1"],
                "types": ["RR", [], ["RX"], [1]], "fixed": [1, [1, 2], [[1]], [[1, 2, 3]], [["a", "b"]]], "moving": [{}, [[]]],
                "near": [[[1, None]], 3], "weights": [1, [1], ["exact"] * 4, [1, 1, 1, 1, -1], [1, 1, 1, 1, "x"], [0] * 5],
+               "linkages": [[], {"fixed_in": [[0, 0]]}, {"moving_in": [[0, 0], [1, 1, 1]]}, {"fixed_in": [[0, 0], [1, "2"]]},
+                            {"classes": []}, {"classes": ["crank"]}, {"largest_ratio": 0.5}, {"most": 0}, {"most": 2.5},
+                            {"most": 1e9}, {"most": "6"}],
                "name": [1, ["x"]], "source": [{}]}
         for key, values in bad.items():
             for value in values:

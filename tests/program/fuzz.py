@@ -22,7 +22,8 @@ SPHERICAL = [{"axis": [0, 0, 1], "angle": 0}, {"quaternion_wxyz": [0.9, 0.1, -0.
 def seeds():
     problems = [load(path) for path in sorted(glob.glob(os.path.join(EXAMPLES, "*.json")))]
     problems.append({"geometry": "spherical", "poses": SPHERICAL})
-    everything = {"types": ["RR", "PR"], "fixed": [[0, 0]], "moving": [[1, 2]], "weights": [1] * 5, "near": [[3, 4]]}
+    everything = {"types": ["RR", "PR"], "fixed": [[0, 0]], "moving": [[1, 2]], "weights": [1] * 5, "near": [[3, 4]],
+                  "linkages": {"fixed_in": [[0, 0], [5, 5]], "classes": ["crank-rocker"], "largest_ratio": 4, "most": 2}}
     return problems + [dict(problems[0], **everything)]
 
 

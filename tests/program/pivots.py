@@ -156,6 +156,43 @@ class Pivots(ProgramTest):
         self.assertEqual(self.answer(problem(SPHERICAL[:3], "spherical", near=near))["warnings"],
                          ["near: only four poses without given axes leave a choice; ignored"])
 
+    def test_small_turns_are_seen_from_far(self):
+        text = problem([[0, 0, 0], [3, 1, 2], [5, -1, 3.5], [4, -4, 5]])
+        document = self.answer(text)
+        self.assertIn("the poles are far: listed within 256 of pose 1's origin, 45.3 task sizes", document["message"])
+        self.assertEqual([d["type"] for d in document["dyads"]], ["PR", "RP"])
+        self.assertGreater(max(abs(x) for curve in document["curves"] for c in curve["fixed"] for x in c), 200)
+        links = [c["links"] for c in document["candidates"]]
+        self.assertEqual(len(links), 6)
+        self.assertEqual(len({(l["input"], l["output"]) for l in links}), 6)
+        with tempfile.TemporaryDirectory() as folder:
+            self.good("synthesize", "-", "-o", folder, text=text)
+            self.assertLessEqual({"curves.svg", "curves_near.svg", "vector_diagram.svg"}, set(os.listdir(folder)))
+
+    def test_linkages_as_asked_for(self):
+        asked = {"fixed_in": [[9, 8], [-3, -6]], "moving_in": [[-8, -8], [8, 8]], "classes": ["crank-rocker", "double-crank"],
+                 "largest_ratio": 8, "most": 3}
+        self.assertIsNone(jsonschema.validate(json.loads(problem(POSES[:4], linkages=asked)), schema("problem")))
+        document = self.answer(problem(POSES[:4], linkages=asked))
+        self.assertEqual((len(document["candidates"]), document["warnings"]), (3, []))
+        for candidate in document["candidates"]:
+            self.assertIn(candidate["class"], asked["classes"])
+            self.assertLessEqual(candidate["link_ratio"], 8)
+            for dyad in candidate["dyads"]:
+                (x, y), (u, v) = dyad["fixed"], dyad["moving"]
+                self.assertTrue(-3 <= x <= 9 and -6 <= y <= 8 and max(abs(u), abs(v)) <= 8, dyad)
+        nowhere = self.answer(problem(POSES[:4], linkages={"fixed_in": [[1000, 1000], [1001, 1001]]}))
+        self.assertEqual((nowhere.get("candidates"), nowhere["warnings"]),
+                         (None, ["linkages: no two dyads of the curves as listed are as asked for"]))
+        self.assertEqual(self.answer(problem(POSES[:3], linkages=asked))["warnings"],
+                         ["linkages: only four poses without given pivots leave a choice; ignored"])
+        self.assertEqual(self.answer(problem(POSES[:4], linkages=asked, types=["PR"]))["warnings"],
+                         ["linkages: RR dyads are not asked for; ignored"])
+        self.assertEqual(self.answer(problem(POSES[:4], linkages={"mots": 3}))["warnings"], ["linkages.mots: unknown key, ignored"])
+        sphere = json.dumps({"geometry": "spherical", "poses": [{"axis": [1, 2, k], "angle": 20 * k} for k in range(4)],
+                             "linkages": {"most": 3}})
+        self.assertEqual(self.answer(sphere)["warnings"][0], "linkages: the spherical module ranks no linkages; ignored")
+
     def test_constructions_are_drawn(self):
         names = {f"construction_{k}_{how}.svg" for k in (1, 2) for how in ("inversion", "poles")}
         with tempfile.TemporaryDirectory() as folder:

@@ -26,7 +26,7 @@ ImagePoint point(const Pose& pose) { return Space::point<double>(pose); }
 Pose product(const Pose& a, const Pose& b) { return Space::pose(Space::product<double>(point(a), point(b))); }
 Pose inverse(const Pose& a) { return Space::pose(Space::conjugate<double>(point(a))); }
 Axis placed(const Pose& pose, const Axis& a) { return Space::act<double>(point(pose), a).normalized(); }
-Axis axis_of(const std::vector<double>& a) { return {a[0], a[1], a[2]}; }
+Axis axis_of(const PointRecord& a) { return {a[0], a[1], a[2]}; }
 Axis turn_axis(const Pose& pose) { return Axis(pose.x, pose.y, pose.z).normalized(); }
 
 double distance_to_chord(const Axis& p, const Axis& a, const Axis& b) {
@@ -269,7 +269,7 @@ TEST(SphericalFourPoseCurves, HalfTurnsAreOrdinaryAndSymmetricSetsSplit) {
       "infinitely many sliders, proved: their moving axes fill a cone of degree 3, their fixed axes a cone of degree "
       "3; no others exist");
   for (const CurveRecord& piece : three.curves)
-    for (const std::vector<double>& a : piece.moving) EXPECT_LT(std::abs(a[0] * a[1] * a[2]), 1e-15);
+    for (const PointRecord& a : piece.moving) EXPECT_LT(std::abs(a[0] * a[1] * a[2]), 1e-15);
   // mirror images of each other in pairs: a great circle and a cone
   const FourPoseTask mirrored{Pose{3, 1, 2, 0}, Pose{3, -1, 2, 0}, Pose{5, 1, -1, 2}, Pose{5, -1, -1, -2}};
   const SphericalReport split = FourPoseSolver().solve(mirrored);

@@ -18,6 +18,7 @@ class FlatModule final : public Module {
     info_.type_aliases = {{"RP", "PR"}};
     info_.solvers = {{"none", "nothing"}};
     info_.csv_headers = {{"a", "angle_deg"}, {"a", "angle_rad"}};
+    info_.linkage_classes = {"even", "odd"};
   }
   const ModuleInfo& info() const override { return info_; }
   PoseData read_pose(const InputNode& node, const Units&) const override {

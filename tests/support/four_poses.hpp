@@ -9,7 +9,7 @@
 
 #include "burmester/geometry/rational.hpp"
 #include "burmester/planar/equidistance.hpp"
-#include "burmester/planar/five_pose_solver.hpp"
+#include "burmester/planar/four_pose_curves.hpp"
 
 namespace burmester::planar {
 
@@ -99,7 +99,7 @@ inline double distance_to_curves(const Vector2& p, const std::vector<CurveRecord
 
 /// Both pivots within a share of the window that curves are traced in.
 inline bool within_window(const Vector2& moving, const Vector2& fixed, const FourPoseTask& task, double share = 0.99) {
-  const double window = 8 * power_of_two_below(task_size(task)) * share;
+  const double window = 8 * power_of_two_below(curve_scale(task)) * share;
   const Vector2 m = rotated({0, 0, task[0].X3, task[0].X4}, moving), c = fixed - Vector2(task[0].x, task[0].y);
   return m.cwiseAbs().maxCoeff() < window && c.cwiseAbs().maxCoeff() < window;
 }

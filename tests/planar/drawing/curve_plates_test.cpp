@@ -29,7 +29,8 @@ TEST(CurvePlates, ShowPolesAndPivotsOnTheCurves) {
     const auto curves = four_pose_curves(task).pieces;
     const auto candidates = candidates_of(task, curves);
     const auto plates = four_pose_plates(task, curves, candidates);
-    ASSERT_EQ(plates.size(), 3u) << i;
+    const bool far = curve_scale(task) > 2 * task_size(task) && !candidates.empty();
+    ASSERT_EQ(plates.size(), far ? 5u : 4u) << i;
     for (const Plate& plate : plates) {
       ASSERT_EQ(plate.parts.size(), plate.lines.size()) << i;
       EXPECT_LT(plate.window[0], plate.window[2]) << i;
@@ -40,11 +41,34 @@ TEST(CurvePlates, ShowPolesAndPivotsOnTheCurves) {
     ASSERT_EQ(poles.size(), 6u) << i;
     for (const Polyline& pole : poles) EXPECT_LT(cubics.distance_of_fixed(vector_of(pole[0])), 1e-10) << i;
     if (candidates.empty()) continue;
-    const Vector2 a0 = vector_of(lines(plates[0], "fixed_pivot", "A0").at(0)[0]),
-                  a = to_moving(task[0], vector_of(lines(plates[0], "moving_pivot", "A").at(0)[0]));
+    const Plate& with_linkage = plates[far ? 1 : 0];
+    const Vector2 a0 = vector_of(lines(with_linkage, "fixed_pivot", "A0").at(0)[0]),
+                  a = to_moving(task[0], vector_of(lines(with_linkage, "moving_pivot", "A").at(0)[0]));
     EXPECT_LT(concyclicity(task, a, a0), 1e-12) << i;
     EXPECT_LT(cubics.distance_of_moving(a), 1e-10) << i;
   }
+}
+
+bool shows(const Plate& plate, const std::array<double, 2>& p) {
+  return plate.window[0] < p[0] && p[0] < plate.window[2] && plate.window[1] < p[1] && p[1] < plate.window[3];
+}
+
+TEST(CurvePlates, SmallTurnsAreShownFromFarAndNear) {
+  const FourPoseTask task = four_poses({{{0, 0, 0}, {3, 1, 2}, {5, -1, 3.5}, {4, -4, 5}}});
+  const auto curves = four_pose_curves(task).pieces;
+  const auto candidates = candidates_of(task, curves);
+  ASSERT_FALSE(candidates.empty());
+  const auto plates = four_pose_plates(task, curves, candidates);
+  ASSERT_EQ(plates.size(), 5u);
+  EXPECT_EQ(plates[0].name, "curves");
+  EXPECT_EQ(plates[1].name, "curves_near");
+  const auto poles = lines(plates[0], "pole");
+  EXPECT_GE(std::ranges::count_if(poles, [&](const Polyline& pole) { return shows(plates[0], pole[0]); }), 3);
+  EXPECT_EQ(std::ranges::count_if(poles, [&](const Polyline& pole) { return shows(plates[1], pole[0]); }), 0);
+  EXPECT_TRUE(lines(plates[0], "link").empty());
+  for (const char* role : {"fixed_pivot", "moving_pivot", "frame"})
+    for (const Polyline& line : lines(plates[1], role))
+      for (const auto& p : line) EXPECT_TRUE(shows(plates[1], p)) << role;
 }
 
 TEST(CurvePlates, TheCompatibilityLinkageCloses) {
@@ -64,6 +88,38 @@ TEST(CurvePlates, TheCompatibilityLinkageCloses) {
     for (const std::size_t mode : {0u, 1u})  // frame, then three bars, the last back at the origin
       EXPECT_LT(vector_of(lines(plate, "bar")[3 * mode + 2][1]).norm(), 1e-12 * (1 + std::abs(form.delta()[0]))) << i;
   }
+}
+
+TEST(CurvePlates, TheVectorsOfADyadLeadToEachPose) {
+  Random random("CurvePlates.TheVectorsOfADyadLeadToEachPose");
+  int with_linkage = 0;
+  for (int i = 0; i < 50; ++i) {
+    const FourPoseTask task = random_four_poses(random);
+    const auto curves = four_pose_curves(task).pieces;
+    const auto candidates = i % 2 == 0 ? candidates_of(task, curves) : std::vector<CandidateRecord>();
+    const auto plates = four_pose_plates(task, curves, candidates);
+    if (plates.back().name != "vector_diagram") continue;  // no linkage, nor a dyad at the angle tried
+    with_linkage += !candidates.empty();
+    const Plate& plate = plates.back();
+    const auto vectors = lines(plate, "vector");
+    ASSERT_EQ(vectors.size(), 11u) << i;
+    const auto length = [](const Polyline& v) { return (vector_of(v[1]) - vector_of(v[0])).norm(); };
+    const Polyline first = lines(plate, "vector", "Z1").at(0), second = lines(plate, "vector", "Z2").at(0);
+    const double size = length(first) + length(second);
+    for (std::size_t k = 0, j = 0; j < 4; k += j == 0 ? 2 : 3, ++j) {
+      EXPECT_EQ(vectors[k][0], lines(plate, "fixed_pivot", "M").at(0)[0]) << i;
+      EXPECT_EQ(vectors[k][1], vectors[k + 1][0]) << i;
+      EXPECT_EQ(vectors[k + 1][1], (std::array{task[j].x, task[j].y})) << i;
+      EXPECT_NEAR(length(vectors[k]), length(first), 1e-12 * size) << i;
+      EXPECT_NEAR(length(vectors[k + 1]), length(second), 1e-12 * size) << i;
+    }
+    const char* displacement[] = {"", "δ2", "δ3", "δ4"};
+    for (std::size_t j = 1; j < 4; ++j)
+      EXPECT_EQ(lines(plate, "vector", displacement[j]).at(0),
+                (Polyline{{task[0].x, task[0].y}, {task[j].x, task[j].y}}))
+          << i;
+  }
+  EXPECT_GT(with_linkage, 15);
 }
 
 TEST(CurvePlates, DegeneratePosesHaveNone) {
