@@ -15,7 +15,7 @@ namespace {
 double reach(const FourPoseTask& task, const CurveRecord& piece, std::size_t k) {
   const Vector2 p = rotated({0, 0, task[0].X3, task[0].X4}, {piece.moving[k][0], piece.moving[k][1]}),
                 c(piece.fixed[k][0] - task[0].x, piece.fixed[k][1] - task[0].y);
-  const double window = CurveOptions().window * power_of_two_below(task_size(task));
+  const double window = CurveOptions().window * power_of_two_below(curve_scale(task));
   return std::max(p.cwiseAbs().maxCoeff(), c.cwiseAbs().maxCoeff()) / window;
 }
 
@@ -26,7 +26,7 @@ void expect_whole(const FourPoseTask& task, const std::string& name) {
   std::size_t points = 0;
   for (const CurveRecord& piece : curves.pieces) {
     points += piece.moving.size();
-    EXPECT_LE(piece.max_error, 1e-4 * power_of_two_below(task_size(task)) * (1 + 1e-9)) << name;
+    EXPECT_LE(piece.max_error, 1e-4 * power_of_two_below(curve_scale(task)) * (1 + 1e-9)) << name;
     for (std::size_t k = 0; k < piece.moving.size(); ++k)
       EXPECT_LT(concyclicity(task, {piece.moving[k][0], piece.moving[k][1]}, {piece.fixed[k][0], piece.fixed[k][1]}),
                 1e-6)  // beside a node that is 1e-9 away
