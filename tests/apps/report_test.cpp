@@ -134,7 +134,8 @@ TEST(PlateFigure, DrawsItsPartsByRole) {
                     "Curves",
                     "how to read <it>",
                     {{"circle_points", "", false, 0}, {"centre_points", "", false, 1}, {"pole", "P12"}, {"pole", "P34"},
-                     {"fixed_pivot", "A0"}, {"frame", "1", false, 0}, {"vector", "Z1", false, 3}, {"vector", "Z2", false, 3}},
+                     {"fixed_pivot", "A0"}, {"frame", "1", false, 0},
+                     {"vector", "Z1", false, 3}, {"vector", "Z2", false, 3}},
                     {{{0, 0}, {4, 0}}, {{0, 1}, {4, 1}}, {{2, 2}}, {{200, 2}}, {{1, 1}}, {{1, 0}, {0, 0}, {0, 1}},
                      {{0, 2}, {3, 2}}, {{3, 2}, {3, 2}}},
                     {0, 0, 4, 3}};
