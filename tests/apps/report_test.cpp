@@ -134,8 +134,10 @@ TEST(PlateFigure, DrawsItsPartsByRole) {
                     "Curves",
                     "how to read <it>",
                     {{"circle_points", "", false, 0}, {"centre_points", "", false, 1}, {"pole", "P12"}, {"pole", "P34"},
-                     {"fixed_pivot", "A0"}, {"frame", "1", false, 0}},
-                    {{{0, 0}, {4, 0}}, {{0, 1}, {4, 1}}, {{2, 2}}, {{200, 2}}, {{1, 1}}, {{1, 0}, {0, 0}, {0, 1}}},
+                     {"fixed_pivot", "A0"}, {"frame", "1", false, 0},
+                     {"vector", "Z1", false, 3}, {"vector", "Z2", false, 3}},
+                    {{{0, 0}, {4, 0}}, {{0, 1}, {4, 1}}, {{2, 2}}, {{200, 2}}, {{1, 1}}, {{1, 0}, {0, 0}, {0, 1}},
+                     {{0, 2}, {3, 2}}, {{3, 2}, {3, 2}}},
                     {0, 0, 4, 3}};
   const std::string svg = plate_figure(plate, "task", "mm");
   EXPECT_TRUE(svg.starts_with(figure_mark));
@@ -144,6 +146,8 @@ TEST(PlateFigure, DrawsItsPartsByRole) {
   EXPECT_THAT(svg, HasSubstr(">P<tspan dy=\"4\" font-size=\"10\">12<"));
   EXPECT_THAT(svg, Not(HasSubstr(">34<")));  // outside the sheet
   EXPECT_THAT(svg, HasSubstr("stroke=\"#cc79a7\""));
+  EXPECT_THAT(svg, HasSubstr(">Z<tspan dy=\"4\" font-size=\"10\">1<"));
+  EXPECT_THAT(svg, Not(HasSubstr(">2<")));  // too short for an arrow
   EXPECT_THAT(svg, Not(HasSubstr("nan")));
 }
 
