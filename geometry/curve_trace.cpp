@@ -197,7 +197,7 @@ class Tracer {
       on_branch_ = false;
     }
     connected_ = true;
-    on_branch_ = on_branch_ || is_on_branch(x, chord, from, sheet);
+    on_branch_ = on_branch_ || is_on_branch(x, y, chord, from, sheet);
     merge_or_append(x, y, chord);
     return y;
   }
@@ -227,12 +227,17 @@ class Tracer {
   }
 
   /// The chords of a piece follow one part of the curve. It is this branch if one point of it is proved to be: if the box
-  /// that holds the branch at x lies in the tube of the chord.
-  bool is_on_branch(const Sample& x, const Chord& chord, double from, int sheet) const {
+  /// that holds the branch at x lies in the tube of the chord, or in a wider one.
+  bool is_on_branch(const Sample& x, const Sample& y, const Chord& chord, double from, int sheet) const {
     const std::array<Box, 2> box = boxes(from, from, sheet);
-    for (std::size_t k = 0; k < tracks_; ++k)
-      if (std::isfinite(chord.width[k]) && !(chart_.extent(box[k], x.track[k].at, x.track[k].at) <= chord.width[k]))
-        return false;
+    for (std::size_t k = 0; k < tracks_; ++k) {
+      if (!std::isfinite(chord.width[k])) continue;
+      const TubePoint &a = x.track[k], &b = y.track[k];
+      const double extent = chart_.extent(box[k], a.at, a.at);
+      if (extent <= chord.width[k]) continue;
+      const auto n = chart_.normal(a.at, b.at);
+      if (!std::isfinite(extent) || !n || !tube(form(k), a, b, *n, extent)) return false;
+    }
     return true;
   }
 

@@ -75,9 +75,10 @@ struct Tube {
   double width;   ///< r: on the patch there is no other part of the curve
 };
 
-/// Nothing where the test fails. n: unit to a few unit roundoffs.
+/// Nothing where the test fails. n: unit to a few unit roundoffs. The patch is as narrow as the test allows, but not
+/// narrower than asked for.
 inline std::optional<Tube> tube(const TubeCurve& curve, const TubePoint& x, const TubePoint& y,
-                                const Vector<double, 3>& n) {
+                                const Vector<double, 3>& n, double least_width = 0) {
   constexpr double tilt =
       1.25;  // on the sphere the patches of neighbours are tilted against each other, less than this
   constexpr double safe = 1 + 0x1p-40;  // covers the roundings of this function, all of them of sums of a few terms
@@ -94,7 +95,7 @@ inline std::optional<Tube> tube(const TubeCurve& curve, const TubePoint& x, cons
   const double least = std::min(std::abs(gx), std::abs(gy)) - 2 * error;
 
   // The least possible r is f / g without the parts that depend on r; twice that leaves room for them.
-  const double r = 2 * (ends + alpha + 0.385 * beta) / least + 0x1p-30 * half;
+  const double r = std::max(least_width, 2 * (ends + alpha + 0.385 * beta) / least + 0x1p-30 * half);
   if (!(r < half) || !(least > 0)) return std::nullopt;
   const double beyond = r / half * safe, t = 1 + beyond, over = std::max(1.0, t * t - 1);
   const double wide = reach + r + beyond * half;
