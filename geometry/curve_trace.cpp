@@ -46,7 +46,7 @@ class Tracer {
                      to = start_of(passage) * (1 - 2.0 * (k + 1) / first_chords);
         most_ = samples_ + options_.most_samples / first_chords;  // what one place takes is not missing elsewhere
         const bool last = k + 1 == first_chords && &passage == &branch.passages.back();
-        at = follow(at, last ? first : sample(to, passage.sheet), from, to, passage.sheet, 0);
+        follow(at, last ? first : sample(to, passage.sheet), from, to, passage.sheet, 0);
       }
     end_piece();
     close(first, at);
@@ -75,35 +75,53 @@ class Tracer {
   }
 
   /// Of two opposite points that are the same axis, those nearer to the sample before.
-  Sample continued(const Sample& before, Sample next) const {
-    if constexpr (Chart::has_opposites)
+  decltype(auto) continued(const Sample& before, const Sample& next) const {
+    if constexpr (Chart::has_opposites) {
+      Sample out = next;
       for (std::size_t k = 0; k < tracks_; ++k)
-        if (before.track[k].at.dot(next.track[k].at) < 0) next.track[k] = next.track[k].opposite();
-    return next;
+        if (before.track[k].at.dot(next.track[k].at) < 0) out.track[k] = next.track[k].opposite();
+      return out;
+    } else {
+      return (next);
+    }
   }
 
   const TubeCurve& form(std::size_t track) const { return track == 0 ? curve_ : partner_->curve; }
 
-  /// From x to what `end` shows, which is returned as the continuation of x.
-  Sample follow(const Sample& x, const Sample& end, double from, double to, int sheet, int depth) {
-    const Sample y = continued(x, end);
+  /// Leads x to what `end` shows, as the continuation of x.
+  void follow(Sample& x, const Sample& end, double from, double to, int sheet, int depth) {
+    const Sample& y = continued(x, end);
+    const int parts = step(x, y, from, to, sheet, depth);
+    if (parts == 1) {
+      x = y;
+      return;
+    }
+    const double length = (to - from) / parts;
+    for (int k = 1; k < parts; ++k)
+      follow(x, sample(from + k * length, sheet), from + (k - 1) * length, from + k * length, sheet, depth + 1);
+    follow(x, end, from + (parts - 1) * length, to, sheet, depth + 1);
+  }
+
+  /// Accepts the chord, leaves it out or gives it up: 1. Otherwise as many parts as are to be looked at.
+  int step(const Sample& x, const Sample& y, double from, double to, int sheet, int depth) {
     int parts = 2;
     if (x.near && y.near && (x.inside || y.inside)) {
       const Chord chord = judge(x, y, from, to, sheet);
-      if (chord.parts == 1) return accept(x, y, chord, from, sheet);
+      if (chord.parts == 1) accept(x, y, chord, from, sheet);
       parts = chord.parts;
     } else if (!x.valid && !y.valid) {
-      return give_up(y);
+      give_up();
+      parts = 1;
     } else if (x.valid && y.valid && left_out(x, y, from, to, sheet)) {
-      return interrupt(y);
+      interrupt();
+      parts = 1;
     }
-    if (depth >= deep && !tells(x, from, sheet) && !tells(y, to, sheet)) return give_up(y);
-    const double step = (to - from) / parts;
-    if (depth == deepest || samples_ > most_ || from + step == from || to - step == to) return give_up(y);
-    Sample at = x;
-    for (int k = 1; k < parts; ++k)
-      at = follow(at, sample(from + k * step, sheet), from + (k - 1) * step, from + k * step, sheet, depth + 1);
-    return follow(at, end, from + (parts - 1) * step, to, sheet, depth + 1);
+    if (parts == 1) return 1;
+    const double length = (to - from) / parts;
+    const bool no_more = depth == deepest || samples_ > most_ || from + length == from || to - length == to;
+    if (!no_more && (depth < deep || tells(x, from, sheet) || tells(y, to, sheet))) return parts;
+    give_up();
+    return 1;
   }
 
   /// parts = 1: accepted, with its proved error; otherwise as many parts as are expected to be.
@@ -189,39 +207,42 @@ class Tracer {
     return chart_.outside(box[0]) || (tracks_ == 2 && chart_.outside(box[1]));
   }
 
-  const Sample& accept(const Sample& x, const Sample& y, const Chord& chord, double from, int sheet) {
+  void accept(const Sample& x, const Sample& y, const Chord& chord, double from, int sheet) {
     if (!connected_) {
       pieces_.emplace_back();
       pieces_.back().component = branch_->component;
       append(x);
-      on_branch_ = false;
+      on_branch_ = merged_.open = false;
     }
     connected_ = true;
     on_branch_ = on_branch_ || is_on_branch(x, y, chord, from, sheet);
     merge_or_append(x, y, chord);
-    return y;
   }
 
   /// Near singular points chords are far shorter than the tolerance. Those that lie in a disc about the beginning x of the
   /// first become one: the curve is within their largest error of them, and they are within the disc's radius of x.
   void merge_or_append(const Sample& x, const Sample& y, const Chord& chord) {
     CurvePiece& piece = pieces_.back();
-    const auto distance = [&](const Sample& from) {
-      double out = 0;
-      for (std::size_t k = 0; k < tracks_; ++k) out = std::max(out, (y.track[k].at - from.track[k].at).norm());
-      return out;
-    };
-    const bool by_box = !std::isfinite(chord.width[0]) || !std::isfinite(chord.width[1]);
     double error = chord.error;
-    Merged more{merged_.from, std::max(merged_.reach, distance(merged_.from)), std::max(merged_.error, error)};
-    if (by_box && piece.points.size() > 1 && more.reach + more.error <= options_.tolerance) {
-      piece.points.pop_back();
-      if (tracks_ == 2) piece.partners.pop_back();
-      error = more.reach + more.error;
-    } else {
-      more = {x, distance(x), error};
+    const bool by_box = !std::isfinite(chord.width[0]) || !std::isfinite(chord.width[1]);
+    if (by_box) {
+      const auto distance = [&](const Sample& from) {
+        double out = 0;
+        for (std::size_t k = 0; k < tracks_; ++k) out = std::max(out, (y.track[k].at - from.track[k].at).norm());
+        return out;
+      };
+      const Merged more{merged_.from, std::max(merged_.reach, distance(merged_.from)), std::max(merged_.error, error),
+                        true};
+      if (merged_.open && more.reach + more.error <= options_.tolerance) {
+        piece.points.pop_back();
+        if (tracks_ == 2) piece.partners.pop_back();
+        merged_ = more;
+        error = more.reach + more.error;
+      } else {
+        merged_ = {x, distance(x), error, true};
+      }
     }
-    merged_ = more;
+    merged_.open = by_box;
     append(y);
     piece.max_error = std::max(piece.max_error, error);
   }
@@ -242,15 +263,15 @@ class Tracer {
   }
 
   /// Where a part cannot be proved. What was proved beside it is not shown if it is smaller than the tolerance.
-  const Sample& give_up(const Sample& y) {
+  void give_up() {
     complete_ = false;
-    if (connected_ && pieces_.back().points.size() == 2 && merged_.reach <= options_.tolerance) on_branch_ = false;
-    return interrupt(y);
+    if (connected_ && pieces_.back().points.size() == 2 && merged_.open && merged_.reach <= options_.tolerance)
+      on_branch_ = false;
+    interrupt();
   }
-  const Sample& interrupt(const Sample& y) {
+  void interrupt() {
     end_piece();
     connected_ = unbroken_ = false;
-    return y;
   }
   /// A piece that could not be proved to be of this branch is not shown.
   void end_piece() {
@@ -304,7 +325,8 @@ class Tracer {
   struct Merged {
     Sample from;
     double reach = 0, error = 0;
-  } merged_;  ///< the last chord
+    bool open = false;
+  } merged_;  ///< the last chord, if a box proved it
   bool unbroken_ = true, connected_ = false, on_branch_ = false, complete_ = true;
   int samples_ = 0, most_ = 0;
 };
