@@ -13,7 +13,8 @@ using Moving = Jet<Interval, 1>;  // along the branch
 
 Interval common(const Interval& a, const Interval& b) {
   const double low = std::max(lower(a), lower(b)), high = std::min(upper(a), upper(b));
-  return low <= high ? Interval(low, high) : a;  // not so only where b is not a number
+  if (low <= high) return {low, high};
+  return std::isnan(lower(b)) || std::isnan(upper(b)) ? a : Interval::largest();  // both hold the truth, so they meet
 }
 
 /// The same point, its largest coordinate 1 and the others by the mean value form. step: S - m.

@@ -7,7 +7,8 @@
 // Only for targets that compile intervals.
 #pragma once
 
-#include "burmester/geometry/curve_trace.hpp"
+#include "burmester/geometry/cubic_branches.hpp"
+#include "burmester/geometry/partner_curve.hpp"
 
 namespace burmester {
 

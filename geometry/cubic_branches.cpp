@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "burmester/geometry/cubic_scene.hpp"
@@ -15,7 +16,8 @@ namespace {
 using detail::CubicScene, detail::positive_root;
 
 Interval positive_root(const Interval& x) {
-  return CGAL::sqrt(Interval(std::max(0.0, x.inf()), std::max(0.0, x.sup())));
+  const double high = std::isnan(x.sup()) ? std::numeric_limits<double>::infinity() : std::max(0.0, x.sup());
+  return CGAL::sqrt(Interval(std::max(0.0, x.inf()), high));
 }
 
 Jet<Interval, 1> positive_root(const Jet<Interval, 1>& x) {

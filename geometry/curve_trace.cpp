@@ -15,6 +15,7 @@ namespace {
 
 using namespace detail;  // the charts
 constexpr int first_chords = 8, deep = 20, deepest = 200;
+constexpr double told = 0x1p-10;           // well below half a chord, which a point that is to lie elsewhere must miss
 constexpr double short_passage = 0x1p-12;  // from here on boxes are tried where tubes fail; a matter of speed only
 
 /// A point of the curve and its partner, as each chart shows them.
@@ -22,6 +23,7 @@ struct Sample {
   std::array<TubePoint, 2> track;
   bool valid = true;                  ///< not so where a point has no single partner
   bool inside = false, near = false;  ///< of the window; of the window with its margin
+  int end = -1;                       ///< number of the end of first chords that it is
 };
 
 template <class Chart>
@@ -37,16 +39,20 @@ class Tracer {
       return {};
     }
     branch_ = &branch, pieces_.clear(), unbroken_ = true, connected_ = false, samples_ = 0;
-    const Sample first = sample(start_of(branch.passages.front()), branch.passages.front().sheet);
-    references_ = {first, sample(0, branch.passages.front().sheet)};  // 0 is an end of chords
+    Sample first = sample(start_of(branch.passages.front()), branch.passages.front().sheet);
+    first.end = 0;
+    find_references(branch.passages.front());
     Sample at = first;
+    int end = 0;
     for (const CubicBranch::Passage& passage : branch.passages)
       for (int k = 0; k < first_chords; ++k) {
         const double from = start_of(passage) * (1 - 2.0 * k / first_chords),
                      to = start_of(passage) * (1 - 2.0 * (k + 1) / first_chords);
         most_ = samples_ + options_.most_samples / first_chords;  // what one place takes is not missing elsewhere
         const bool last = k + 1 == first_chords && &passage == &branch.passages.back();
-        follow(at, last ? first : sample(to, passage.sheet), from, to, passage.sheet, 0);
+        Sample next = last ? first : sample(to, passage.sheet);
+        if (!last) next.end = ++end;
+        follow(at, next, from, to, passage.sheet, 0);
       }
     end_piece();
     close(first, at);
@@ -147,7 +153,8 @@ class Tracer {
           continue;
         }
       const auto n = chart_.normal(a.at, b.at);
-      const auto proved = n ? tube(form(k), a, b, *n) : std::nullopt;
+      const Reference* other = elsewhere(x, y, k);
+      const auto proved = n && other ? tube(form(k), a, b, *n) : std::nullopt;
       if (!proved) {
         if (!(length < options_.tolerance)) return {};
         const double extent = extent_of_box(k, x, y, from, to, sheet);
@@ -156,20 +163,36 @@ class Tracer {
         width[k] = std::numeric_limits<double>::infinity();
         continue;
       }
-      if (over_chord(a, b, *n, proved->radius, elsewhere(x, y).track[k].at)) return {};
+      if (over_chord(a, b, *n, proved->radius, other->at, other->off)) return {};
       error = std::max(error, chart_.error(proved->radius, a.at, b.at));
       width[k] = proved->width;
     }
     if (error <= options_.tolerance) return {error, 1, width};
     return {error, parts_for(std::sqrt(error / options_.tolerance)), width};
   }
-  /// A sample that is not between x and y, nor one of them.
-  const Sample& elsewhere(const Sample& x, const Sample& y) const {
-    const Point& first = references_[0].track[0].at;
-    const auto is_first = [&](const Sample& sample) {
-      return sample.track[0].at == first || sample.track[0].at == -first;
-    };
-    return references_[is_first(x) || is_first(y) ? 1 : 0];
+  struct Reference {
+    int end;  ///< as in Sample
+    Point at;
+    double off = 0;  ///< how far a point of the branch may be from it, as an angle
+  };
+  /// Ends of first chords where a box tells the point of each track.
+  void find_references(const CubicBranch::Passage& passage) {
+    references_ = {};
+    for (const int k : {0, 4, 2, 6, 1, 3, 5, 7}) {
+      if (references_[0].size() == 2 && references_[tracks_ - 1].size() == 2) return;
+      const double s = start_of(passage) * (1 - 2.0 * k / first_chords);
+      const Sample at = sample(s, passage.sheet);
+      const std::array<Box, 2> box = boxes(s, s, passage.sheet);
+      for (std::size_t track = 0; track < tracks_; ++track)
+        if (const double off = distance_from_box(box[track], at.track[track].unit().at); off < told)
+          references_[track].push_back({k, at.track[track].at, off});
+    }
+  }
+  /// A point of the track that is not between x and y, nor one of them; none where no box tells one.
+  const Reference* elsewhere(const Sample& x, const Sample& y, std::size_t track) const {
+    for (const Reference& reference : references_[track])
+      if (reference.end != x.end && reference.end != y.end) return &reference;
+    return nullptr;
   }
   static int parts_for(double ratio) {
     return std::clamp(static_cast<int>(std::ceil(std::min(1.05 * ratio, 8.0))), 2, 8);
@@ -182,6 +205,10 @@ class Tracer {
   }
 
   std::array<Box, 2> boxes(double from, double to, int sheet) const {
+    if (from == to) {
+      const Box at = branch_->enclosing(Interval(from), sheet);
+      return {at, tracks_ == 2 ? partner<Interval>(partner_->enclosing, at) : at};
+    }
     if (tracks_ == 1) return {box_of_points(branch_->enclosing, from, to, sheet)};
     const BranchBox box = box_with_partners(branch_->enclosing, *partner_, from, to, sheet);
     return {box.points, box.partners};
@@ -200,8 +227,11 @@ class Tracer {
   }
 
   bool left_out(const Sample& x, const Sample& y, double from, double to, int sheet) const {
-    for (std::size_t k = 0; k < tracks_; ++k)
-      if (chart_.outside(form(k), x.track[k], y.track[k], elsewhere(x, y).track[k].at)) return true;
+    for (std::size_t k = 0; k < tracks_; ++k) {
+      const Reference* other = elsewhere(x, y, k);
+      const auto at_x = [&] { return boxes(from, from, sheet)[k]; };
+      if (other && chart_.outside(form(k), x.track[k], y.track[k], other->at, other->off, at_x)) return true;
+    }
     if (std::abs(to - from) > short_passage) return false;
     const std::array<Box, 2> box = boxes(from, to, sheet);  // near singular points no tube can be proved
     return chart_.outside(box[0]) || (tracks_ == 2 && chart_.outside(box[1]));
@@ -212,11 +242,23 @@ class Tracer {
       pieces_.emplace_back();
       pieces_.back().component = branch_->component;
       append(x);
-      on_branch_ = merged_.open = false;
+      merged_.open = unproved_ = false, runs_ = {};
     }
     connected_ = true;
-    on_branch_ = on_branch_ || is_on_branch(x, y, chord, from, sheet);
+    for (std::size_t k = 0; k < tracks_; ++k) continue_run(k, x, y, chord, from, sheet);
     merge_or_append(x, y, chord);
+  }
+
+  /// Chords with tubes, one after the other, follow one part of the curve. It is this branch if one point of it is proved
+  /// to be. A box holds the branch itself, and ends the run.
+  void continue_run(std::size_t k, const Sample& x, const Sample& y, const Chord& chord, double from, int sheet) {
+    Run& run = runs_[k];
+    if (!std::isfinite(chord.width[k])) {
+      unproved_ = unproved_ || run == Run::claimed;
+      run = Run::none;
+    } else if (run != Run::proved) {
+      run = is_on_branch(k, x, y, chord.width[k], from, sheet) ? Run::proved : Run::claimed;
+    }
   }
 
   /// Near singular points chords are far shorter than the tolerance. Those that lie in a disc about the beginning x of the
@@ -247,27 +289,20 @@ class Tracer {
     piece.max_error = std::max(piece.max_error, error);
   }
 
-  /// The chords of a piece follow one part of the curve. It is this branch if one point of it is proved to be: if the box
-  /// that holds the branch at x lies in the tube of the chord, or in a wider one.
-  bool is_on_branch(const Sample& x, const Sample& y, const Chord& chord, double from, int sheet) const {
-    const std::array<Box, 2> box = boxes(from, from, sheet);
-    for (std::size_t k = 0; k < tracks_; ++k) {
-      if (!std::isfinite(chord.width[k])) continue;
-      const TubePoint &a = x.track[k], &b = y.track[k];
-      const double extent = chart_.extent(box[k], a.at, a.at);
-      if (extent <= chord.width[k]) continue;
-      const auto n = chart_.normal(a.at, b.at);
-      if (!std::isfinite(extent) || !n || !tube(form(k), a, b, *n, extent)) return false;
-    }
-    return true;
+  /// Whether the box that holds the branch at x lies in the tube of the chord, or in a wider one.
+  bool is_on_branch(std::size_t k, const Sample& x, const Sample& y, double width, double from, int sheet) const {
+    const TubePoint &a = x.track[k], &b = y.track[k];
+    const double extent = chart_.extent(boxes(from, from, sheet)[k], a.at, a.at);
+    if (extent <= width) return true;
+    const auto n = chart_.normal(a.at, b.at);
+    return std::isfinite(extent) && n && tube(form(k), a, b, *n, extent);
   }
 
   /// Where a part cannot be proved. What was proved beside it is not shown if it is smaller than the tolerance.
   void give_up() {
     complete_ = false;
     if (connected_ && pieces_.back().points.size() == 2 && merged_.open && merged_.reach <= options_.tolerance)
-      on_branch_ = false;
-    interrupt();
+      interrupt();
   }
   void interrupt() {
     end_piece();
@@ -275,7 +310,8 @@ class Tracer {
   }
   /// A piece that could not be proved to be of this branch is not shown.
   void end_piece() {
-    if (!connected_ || on_branch_) return;
+    const bool claimed = std::ranges::find(runs_, Run::claimed) != runs_.end();
+    if (!connected_ || !(unproved_ || claimed)) return;
     pieces_.pop_back();
     connected_ = unbroken_ = complete_ = false;
   }
@@ -291,7 +327,7 @@ class Tracer {
     CurvePiece& end = pieces_.back();
     if (unbroken_) {
       if (first.track[0].at.dot(last.track[0].at) < 0 || (tracks_ == 2 && first.track[1].at.dot(last.track[1].at) < 0))
-        go_round_again(end, first, last);
+        go_on(end, CurvePiece(end), first, last);  // round again
       end.points.pop_back();
       if (tracks_ == 2) end.partners.pop_back();
       end.closed = true;
@@ -299,19 +335,20 @@ class Tracer {
     }
     CurvePiece& begin = pieces_.front();
     if (pieces_.size() < 2 || !connected_ || begin.points.front() != first.track[0].at) return;
-    end.points.insert(end.points.end(), begin.points.begin() + 1, begin.points.end());
-    if (tracks_ == 2) end.partners.insert(end.partners.end(), begin.partners.begin() + 1, begin.partners.end());
+    go_on(end, begin, first, last);
     end.max_error = std::max(end.max_error, begin.max_error);
     pieces_.erase(pieces_.begin());
   }
 
-  /// On the sphere: the branch has come to the opposite of its beginning, or its partner has.
-  static void go_round_again(CurvePiece& piece, const Sample& first, const Sample& last) {
-    const auto repeat = [](std::vector<Point>& points, double sign) {
-      for (std::size_t k = 1, n = points.size(); k < n; ++k) points.push_back(sign * points[k]);
+  /// Appends what follows `first` to what ends at `last`: the same, or on the sphere the opposite, as may be its partner.
+  static void go_on(CurvePiece& piece, const CurvePiece& next, const Sample& first, const Sample& last) {
+    const auto append = [](std::vector<Point>& to, const std::vector<Point>& from, const TubePoint& a,
+                           const TubePoint& b) {
+      const double sign = a.at.dot(b.at) < 0 ? -1 : 1;
+      for (std::size_t k = 1; k < from.size(); ++k) to.push_back(sign * from[k]);
     };
-    repeat(piece.points, first.track[0].at.dot(last.track[0].at) < 0 ? -1 : 1);
-    if (!piece.partners.empty()) repeat(piece.partners, first.track[1].at.dot(last.track[1].at) < 0 ? -1 : 1);
+    append(piece.points, next.points, first.track[0], last.track[0]);
+    if (!piece.partners.empty()) append(piece.partners, next.partners, first.track[1], last.track[1]);
   }
 
   Chart chart_;
@@ -320,14 +357,16 @@ class Tracer {
   TraceOptions options_;
   std::size_t tracks_;
   const CubicBranch* branch_ = nullptr;
-  std::array<Sample, 2> references_;
+  std::array<std::vector<Reference>, 2> references_;
+  enum class Run { none, claimed, proved };
+  std::array<Run, 2> runs_{};  ///< of chords with tubes, on each track
   std::vector<CurvePiece> pieces_;
   struct Merged {
     Sample from;
     double reach = 0, error = 0;
     bool open = false;
   } merged_;  ///< the last chord, if a box proved it
-  bool unbroken_ = true, connected_ = false, on_branch_ = false, complete_ = true;
+  bool unbroken_ = true, connected_ = false, unproved_ = false, complete_ = true;
   int samples_ = 0, most_ = 0;
 };
 
@@ -344,26 +383,6 @@ TracedCurve trace(const Chart& chart, const CubicBranches& traced, const TubeCur
 }
 
 }  // namespace
-
-TubeCurve tube_curve(const Cubic<Interval>& f) {
-  Cubic<double> middle;
-  double error = 0;
-  for (std::size_t k = 0; k < 10; ++k) {
-    middle.c[k] = approximate(f.c[k]);
-    error = std::max(error, magnitude(Interval(f.c[k] - middle.c[k])));
-  }
-  return TubeCurve(middle, error);
-}
-
-PartnerCurve partner_curve(const std::array<Correlation<Interval>, 3>& n) {
-  std::array<Correlation<double>, 3> middle;
-  std::array<Correlation<Interval>, 3> back;
-  for (std::size_t k = 0; k < 3; ++k) {
-    for (int i = 0; i < 9; ++i) middle[k](i) = approximate(n[k](i));
-    back[k] = n[k].transpose();
-  }
-  return {middle, n, tube_curve(points_with_partner(back))};
-}
 
 TracedCurve trace_in_plane(const CubicBranches& traced, const TubeCurve& curve,
                            const std::optional<PartnerCurve>& partner, const TraceOptions& options) {

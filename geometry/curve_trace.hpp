@@ -7,26 +7,12 @@
 // that they are outside.
 #pragma once
 
-#include <array>
 #include <optional>
 
-#include "burmester/geometry/correlations.hpp"
 #include "burmester/geometry/cubic_branches.hpp"
-#include "burmester/geometry/curve_tube.hpp"
+#include "burmester/geometry/partner_curve.hpp"
 
 namespace burmester {
-
-/// The curve of the partners: of the points p of the traced curve, c with p^T N c = 0 for three correlations N.
-struct PartnerCurve {
-  std::array<Correlation<double>, 3> approximate;
-  std::array<Correlation<Interval>, 3> enclosing;
-  TubeCurve curve;
-};
-
-/// What the tube test needs of a cubic whose coefficients lie in intervals.
-TubeCurve tube_curve(const Cubic<Interval>& f);
-/// Below an UpwardRounding.
-PartnerCurve partner_curve(const std::array<Correlation<Interval>, 3>& n);
 
 /// All branches within the window, components numbered as in `traced`. `curve` is the form whose branches they are.
 /// A piece ends where it leaves the window; no point is more than 2 % outside. Below an UpwardRounding. Throws

@@ -109,16 +109,20 @@ inline std::optional<Tube> tube(const TubeCurve& curve, const TubePoint& x, cons
   return Tube{f / g * safe, r};
 }
 
-/// Whether z, or -z, lies over the chord and within the radius of it, up to roundings of the order of 1e-9.
+/// Whether a point within `uncertainty` |z| of z, or of -z, may lie over the chord and within the radius of it; roundings
+/// of the order of 1e-9 are allowed for.
 inline bool over_chord(const TubePoint& x, const TubePoint& y, const Vector<double, 3>& n, double radius,
-                       const Point2<double>& z) {
+                       const Point2<double>& z, double uncertainty = 0) {
   // z is lambda (m + t d + s n) times the volume m . (d x n)
   const Vector<double, 3> sum = x.at + y.at, difference = y.at - x.at, across = difference.cross(n),
                           along = n.cross(sum);
-  const double lambda = z.dot(across), t = z.dot(along), slack = 0x1p-30;
-  if (t * t > (1 + slack) * lambda * lambda + slack * slack * z.squaredNorm() * across.squaredNorm()) return false;
-  const double s = z.dot(sum.cross(difference)) / 2;
-  return std::abs(s) <= (radius + slack) * std::abs(lambda);
+  const auto bound = [](const Vector<double, 3>& v) { return v.cwiseAbs().sum(); };  // of |v|
+  const double slack = 0x1p-30, size = bound(z), moved = uncertainty * size, lambda = std::abs(z.dot(across));
+  if (std::abs(z.dot(along)) >
+      (1 + slack) * lambda + slack * size * bound(across) + moved * (bound(along) + bound(across)))
+    return false;
+  const Vector<double, 3> up = sum.cross(difference) / 2;
+  return std::abs(z.dot(up)) <= (radius + slack) * (lambda + moved * bound(across)) + moved * bound(up);
 }
 
 }  // namespace burmester

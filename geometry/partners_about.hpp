@@ -5,7 +5,7 @@
 // Only for targets that compile intervals.
 #pragma once
 
-#include "burmester/geometry/curve_trace.hpp"
+#include "burmester/geometry/partner_curve.hpp"
 
 namespace burmester {
 

@@ -16,6 +16,25 @@ using Point = Point2<double>;
 using Box = Point2<Interval>;
 inline constexpr double margin = 1.02;  ///< how far outside the window the last point of a piece may be
 
+/// Largest angle between an axis of the box and two unit vectors, where it is below about 0.9 rad; infinite where the
+/// box does not tell.
+inline double patch_of_box(const Box& box, const Point& x, const Point& y) {
+  // Scaled to the height of x along its largest coordinate, the box is a patch near the sphere.
+  int k = 0;
+  for (int n = 1; n < 3; ++n)
+    if (std::abs(x[n]) > std::abs(x[k])) k = n;
+  if (contains_zero(box[k])) return std::numeric_limits<double>::infinity();
+  double sum = 0;
+  for (int n = 0; n < 3; ++n) {
+    const Interval at = box[n] / box[k] * x[k];
+    const double across = std::max({upper(at), x[n], y[n]}) - std::min({lower(at), x[n], y[n]});
+    sum += across * across;
+  }
+  return 2 * std::sqrt(sum);  // an angle is at most 1.5 times its chord, and radial scaling at most 1 over |x| - across
+}
+/// The same from one unit vector.
+inline double distance_from_box(const Box& box, const Point& x) { return patch_of_box(box, x, x); }
+
 /// The affine plane z = 1, seen through a square window.
 class Plane {
  public:
@@ -35,16 +54,21 @@ class Plane {
     return Vector<double, 3>(-dy / size, dx / size, 0);
   }
   static double error(double radius, const Point&, const Point&) { return radius; }
-  /// Whether the tube test proves that the curve between two points, without z, passes the window on one side.
-  bool outside(const TubeCurve& curve, const TubePoint& from, const TubePoint& to, const Point& z) const {
+  /// Whether the tube test proves that the curve between two points, without those within
+  /// `off` of z, passes the window on one side. box():
+  /// holds the point of the branch at the first of them, so that it is this branch which the tube follows.
+  template <class BoxOf>
+  bool outside(const TubeCurve& curve, const TubePoint& from, const TubePoint& to, const Point& z, double off,
+               const BoxOf& box) const {
     const TubePoint x = from.unit(), y = from.at.dot(to.at) < 0 ? to.unit().opposite() : to.unit();
     for (int k = 0; k < 2; ++k) {
       const double sign = x.at[k] < 0 ? -1 : 1, gap = std::min(sign * x.at[k] - window_ * std::abs(x.at[2]),
                                                                sign * y.at[k] - window_ * std::abs(y.at[2]));
       if (!(gap > 0)) continue;
       const Vector<double, 3> across = x.at.cross(y.at), n = across / across.norm();
-      const auto proved = tube(curve, x, y, n);
-      if (proved && proved->radius * (1 + window_) < gap && !over_chord(x, y, n, proved->radius, z)) return true;
+      const double extent = distance_from_box(box(), x.at);
+      const auto proved = std::isfinite(extent) ? tube(curve, x, y, n, extent) : std::nullopt;
+      if (proved && proved->radius * (1 + window_) < gap && !over_chord(x, y, n, proved->radius, z, off)) return true;
     }
     return false;
   }
@@ -81,23 +105,12 @@ class Sphere {
   static double error(double radius, const Point& x, const Point& y) {
     return 2 * radius / (x + y).norm() * (1 + 0x1p-40);
   }
-  static bool outside(const TubeCurve&, const TubePoint&, const TubePoint&, const Point&) { return false; }
-  static bool outside(const Box&) { return false; }
-  static double extent(const Box& box, const Point& x, const Point& y) {
-    // Scaled to the height of x along its largest coordinate, the box is a patch near the sphere.
-    int k = 0;
-    for (int n = 1; n < 3; ++n)
-      if (std::abs(x[n]) > std::abs(x[k])) k = n;
-    if (contains_zero(box[k])) return std::numeric_limits<double>::infinity();
-    double sum = 0;
-    for (int n = 0; n < 3; ++n) {
-      const Interval at = box[n] / box[k] * x[k];
-      const double across = std::max({upper(at), x[n], y[n]}) - std::min({lower(at), x[n], y[n]});
-      sum += across * across;
-    }
-    return 2 *
-           std::sqrt(sum);  // an angle is at most 1.5 times its chord, and radial scaling at most 1 over |x| - across
+  template <class BoxOf>
+  static bool outside(const TubeCurve&, const TubePoint&, const TubePoint&, const Point&, double, const BoxOf&) {
+    return false;
   }
+  static bool outside(const Box&) { return false; }
+  static double extent(const Box& box, const Point& x, const Point& y) { return patch_of_box(box, x, y); }
 };
 
 }  // namespace burmester::detail

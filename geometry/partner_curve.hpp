@@ -1,0 +1,25 @@
+// The curve of the partners of a traced curve, and curves whose coefficients lie in intervals, as the tube test wants
+// them. Only for targets that compile intervals.
+#pragma once
+
+#include <array>
+
+#include "burmester/geometry/correlations.hpp"
+#include "burmester/geometry/curve_tube.hpp"
+#include "burmester/geometry/interval.hpp"
+
+namespace burmester {
+
+/// The curve of the partners: of the points p of the traced curve, c with p^T N c = 0 for three correlations N.
+struct PartnerCurve {
+  std::array<Correlation<double>, 3> approximate;
+  std::array<Correlation<Interval>, 3> enclosing;
+  TubeCurve curve;
+};
+
+/// What the tube test needs of a cubic whose coefficients lie in intervals.
+TubeCurve tube_curve(const Cubic<Interval>& f);
+/// Below an UpwardRounding.
+PartnerCurve partner_curve(const std::array<Correlation<Interval>, 3>& n);
+
+}  // namespace burmester
