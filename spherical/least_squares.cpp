@@ -121,8 +121,11 @@ void add_lifted(const Task& task, std::vector<typename D::Design>& starts) {
   }
 }
 
-/// Steps from one start: with unequal weights the heavy orientations leave narrow curved valleys.
+/// Steps from one start: heavy orientations leave narrow curved valleys, and large errors slow the last steps.
 constexpr int steps = 2000;
+
+/// Largest weight over the smallest up to which the weighted rows and the scan are starts enough.
+constexpr double uneven_ratio = 100;
 
 template <class D>
 std::vector<Found<typename D::Design>> best_from(std::vector<typename D::Design> starts, const Task& task) {
@@ -132,15 +135,15 @@ std::vector<Found<typename D::Design>> best_from(std::vector<typename D::Design>
                         {.iterations = steps, .tolerance = exact_residual, .weights = task.weights});
 }
 
-/// With unequal weights the fits with equal ones are starts too: what all orientations meet is found there.
+/// With uneven weights the fits with equal ones are starts too: what all orientations meet is found there.
 template <class D>
 std::vector<Found<typename D::Design>> best(std::span<const Pose> poses, std::span<const double> weights) {
   const std::vector<double> relative = relative_weights(weights, poses.size());
-  std::vector<double> alike = relative;
-  for (double& w : alike) w = w > 0 ? 1 : 0;
+  if (relative == relative_weights(weights, poses.size(), 1 / uneven_ratio))
+    return best_from<D>({}, task_of(poses, relative));
   std::vector<typename D::Design> starts;
-  if (alike != relative)
-    for (const auto& f : best_from<D>({}, task_of(poses, alike))) starts.push_back(f.design);
+  for (const auto& f : best_from<D>({}, task_of(poses, relative_weights(weights, poses.size(), 1))))
+    starts.push_back(f.design);
   return best_from<D>(std::move(starts), task_of(poses, relative));
 }
 

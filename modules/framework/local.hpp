@@ -10,6 +10,7 @@
 #include <cmath>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "burmester/modules/framework/dyad_type.hpp"
 
@@ -25,9 +26,12 @@ double extent(std::span<const typename S::Pose> poses) {
     const PointOf<S> x = S::template point<double>(pose);
     return S::template act<double>(x, FeatureOf<S>::Zero()) / S::template norm<double>(x);
   };
-  double largest = 0;
+  std::vector<FeatureOf<S>> origins;
   for (const auto& p : poses)
-    for (const auto& q : poses) largest = std::max(largest, S::distance(origin(p), origin(q)));
+    if (const FeatureOf<S> o = origin(p); origins.empty() || o != origins.back()) origins.push_back(o);
+  double largest = 0;
+  for (const auto& o : origins)
+    for (const auto& other : origins) largest = std::max(largest, S::distance(o, other));
   return largest > 0 ? largest : 1;
 }
 

@@ -55,18 +55,19 @@ Refined<D> refine(const typename D::Design& start, std::span<const typename D::S
   for (int i = 0; i < iterations && r.allFinite(); ++i) {
     const Eigen::MatrixXd J = factor.asDiagonal() * design_jacobian<D>(out.design, poses, step);
     if (!J.allFinite()) break;
+    // J P = Q R once a step: |J u + r|^2 is |R P^T u + along|^2 + a constant, so damping extends R alone
     const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(J);
-    const Eigen::VectorXd along = (qr.householderQ().adjoint() * r).head(p);  // what the design could still take away
+    const Vector<double, p> along = (qr.householderQ().adjoint() * r).head(p);  // what the design could still take away
     const double size = J.norm();
     out.converged = along.norm() <= stationary * r.norm();
+    Eigen::Matrix<double, 2 * p, p> system = Eigen::Matrix<double, 2 * p, p>::Zero();
+    system.template topRows<p>() = qr.matrixQR().topRows(p).template triangularView<Eigen::Upper>();
+    Vector<double, 2 * p> wanted = Vector<double, 2 * p>::Zero();
+    wanted.template head<p>() = -along;
     bool better = false;
     for (; !better && damping < 1e8; damping *= 8) {
-      Eigen::MatrixXd system = Eigen::MatrixXd::Zero(n + p, p);
-      system.topRows(n) = J;
-      system.bottomRows(p).diagonal().setConstant(std::sqrt(damping) * size);
-      Eigen::VectorXd wanted = Eigen::VectorXd::Zero(n + p);
-      wanted.head(n) = -r;
-      const Vector<double, p> u = system.colPivHouseholderQr().solve(wanted);
+      system.template bottomRows<p>().diagonal().setConstant(std::sqrt(damping) * size);
+      const Vector<double, p> u = qr.colsPermutation() * system.colPivHouseholderQr().solve(wanted);
       const typename D::Design next = D::nudged(out.design, u);
       const Eigen::VectorXd next_r = weighted(next);
       better = next_r.norm() < r.norm();
