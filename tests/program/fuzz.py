@@ -8,7 +8,7 @@ import sys
 import jsonschema
 
 sys.path.insert(0, os.path.join(sys.argv[2], "tests", "support"))
-from program import EXAMPLES, ProgramTest, load, main, run, schema, strict_json  # noqa: E402
+from program import EXAMPLES, FIVE_POSES, ProgramTest, load, main, run, schema, strict_json  # noqa: E402
 
 STREAM = random.Random("fuzz")
 VALUES = [0, -0.0, 1, -1, 1e-320, 1e-160, 1e160, 1e308, -1.7976931348623157e308, 2 ** 53 + 1, 2 ** 64, 180, 360, 90, -180,
@@ -17,14 +17,18 @@ TOKENS = [b"NaN", b"Infinity", b"1e999", b"-", b"{", b"}", b"[", b"]", b",", b":
           b"\xc3", b"\x00", b"\xef\xbb\xbf", b"null", b"//", b"0x10", b"01", b".5", b"1e", b"9" * 400, b"[" * 200, b" " * 100]
 SPHERICAL = [{"axis": [0, 0, 1], "angle": 0}, {"quaternion_wxyz": [0.9, 0.1, -0.2, 0.3]}, {"longitude": 10, "latitude": 20, "roll": 30},
              {"matrix": [[0, -1, 0], [1, 0, 0], [0, 0, 1]]}, {"axis": [1, 2, 3], "angle": 77}]
+FOUR_POSES = dict(FIVE_POSES, poses=FIVE_POSES["poses"][:4])
 
 
 def seeds():
     problems = [load(path) for path in sorted(glob.glob(os.path.join(EXAMPLES, "*.json")))]
     problems.append({"geometry": "spherical", "poses": SPHERICAL})
-    everything = {"types": ["RR", "PR"], "fixed": [[0, 0]], "moving": [[1, 2]], "weights": [1] * 5, "near": [[3, 4]],
-                  "linkages": {"fixed_in": [[0, 0], [5, 5]], "classes": ["crank-rocker"], "largest_ratio": 4, "most": 2}}
-    return problems + [dict(problems[0], **everything)]
+    problems += [dict(FOUR_POSES, near=[[3, 4], [0, 1]], weights=[1] * 4, types=["RR", "PR", "RP"],
+                      linkages={"fixed_in": [[-50, -50], [50, 50]], "moving_in": [[-50, -50], [50, 50]],
+                                "classes": ["crank-rocker", "double-rocker"], "largest_ratio": 4, "most": 2}),
+                 {"geometry": "spherical", "poses": SPHERICAL[:4], "types": ["RR", "PR"], "near": [[1, 2, 3], [0, 0, 1]]},
+                 dict(FIVE_POSES, fixed=[[0, 0]], moving=[[1, 2]], weights=[1] * 5, types=["RR", "PR"])]
+    return problems
 
 
 def places(value, path=()):
@@ -114,6 +118,11 @@ def far_off(document):
 
 
 class Fuzz(ProgramTest):
+    def test_seeds_are_answered(self):
+        for problem in seeds():
+            answer = run("synthesize", "-", "--json", text=json.dumps(problem))
+            self.assertEqual(answer.returncode, 0, (problem, answer.stderr))
+
     def test_batch(self):
         problems = seeds()
         lines = [mutant(STREAM.choice(problems)).replace(b"\n", b" ") for _ in range(6000)]
