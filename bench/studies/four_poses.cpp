@@ -1,7 +1,7 @@
 // Curves and sliders of four random poses against the size of the turns.
 //   study_four_poses [sets of each size, default 200]
-// Origins and turns are normally distributed, standard deviation 1 and that of the row (rad). Exit code 1 where turns of
-// 1 rad leave a curve incomplete, or turns of 1e-3 rad and more a slider unlisted.
+// Origins and turns are normally distributed, standard deviation 1 and that of the row (rad). Exit code 1 where turns
+// of 1 rad leave a curve incomplete, or turns of 1e-3 rad and more a slider unlisted.
 #include <fmt/format.h>
 
 #include <array>
