@@ -1,8 +1,9 @@
-// Jets: a value and its first derivatives by N variables, carried through any rational formula (forward differentiation).
+// Jets: a value and its first derivatives by N variables, carried through any rational formula (forward
+// differentiation).
 //
-// (f, f') with the rules of calculus: L. B. Rall, "Automatic Differentiation: Techniques and Applications", Lecture Notes
-// in Computer Science 120 (1981). A formula that is a template on its number type needs no second version. Where it
-// chooses (approximate), the value decides: the derivative is that of the branch taken.
+// (f, f') with the rules of calculus: L. B. Rall, "Automatic Differentiation: Techniques and Applications", Lecture
+// Notes in Computer Science 120 (1981). A formula that is a template on its number type needs no second version. Where
+// it chooses (approximate), the value decides: the derivative is that of the branch taken.
 #pragma once
 
 #include <concepts>

@@ -84,8 +84,8 @@ class DyadForm {
   /// Joints of the compatibility linkage at a pair: 0, then after Delta_1, Delta_2 exp(i phi_2), Delta_3 exp(i phi_3).
   std::array<Complex, 4> joints(const BurmesterPair& pair) const;
 
-  /// At phi = 0 and phi = gamma; nothing where the linkage does not move through there in one way, or the other pivot is
-  /// far too.
+  /// At phi = 0 and phi = gamma; nothing where the linkage does not move through there in one way, or the other pivot
+  /// is far too.
   std::optional<SliderLimit<PR::Design>> PR_limit() const;
   std::optional<SliderLimit<RP::Design>> RP_limit() const;
 

@@ -140,14 +140,16 @@ bool different(const Anchored<I>& a, const Anchored<I>& b) {
 /// that fails (a far pivot beside one at infinity). `box(system, start)` is a box around the start, a vector of
 /// intervals I, or nothing; system(rows, e) makes the square system.
 template <class I, class T, class MakeBox>
-std::optional<Enclosed<I>> enclose_root(const Anchored<T>& w, const Anchor& anchor, const Pose& reference, MakeBox box) {
+std::optional<Enclosed<I>> enclose_root(const Anchored<T>& w, const Anchor& anchor, const Pose& reference,
+                                        MakeBox box) {
   int chart = 0;
   for (int k = 1; k < 7; ++k)
     if (std::abs(approximate(w[k])) > std::abs(approximate(w[chart]))) chart = k;
   if (std::abs(approximate(w[0])) > 1e-5 * std::abs(approximate(w[chart]))) {
     const auto system = []<class N>(const Matrix<N, 4, 7>& rows, const N& e) { return FinitePivots<N>{rows, e}; };
     const Vector<T, 4> start(w[3] / w[0], w[4] / w[0], w[1] / w[0], w[2] / w[0]);
-    if (const std::optional<Vector<I, 4>> x = box(system, start)) return finite_dyad(*x, I(anchor.turn), anchor, reference);
+    if (const std::optional<Vector<I, 4>> x = box(system, start))
+      return finite_dyad(*x, I(anchor.turn), anchor, reference);
   }
   const auto system = [=]<class N>(const Matrix<N, 4, 7>& rows, const N& e) { return AnyPivots<N>{rows, e, chart}; };
   Vector<T, 6> start;

@@ -40,7 +40,7 @@ struct FivePoseRoots {
   Anchored<T> family;                   ///< common_line: a member of the family
   double smallest_pivot = 0;            ///< of the elimination, relative to the largest
   double pencil_size = 0;               ///< largest coefficient of the pencil's cubic; 0: a degenerate pencil
-  double discriminant = 0;              ///< of that cubic (3 + 2: of the line pair), relative: 0 where two roots coincide
+  double discriminant = 0;              ///< of that cubic (3 + 2: of the line pair), relative: 0 where two coincide
   double rounding = 0;                  ///< below this |discriminant| the count may be off by two
 };
 

@@ -118,7 +118,8 @@ void state_degeneracy(const CertifiedRoots& certified, PlanarReport& report) {
 
 void state_proof(const CertifiedRoots& certified, PlanarReport& report) {
   const FivePoseCase what = certified.roots.what;
-  if (what != FivePoseCase::regular && what != FivePoseCase::two_orientations) return state_degeneracy(certified, report);
+  if (what != FivePoseCase::regular && what != FivePoseCase::two_orientations)
+    return state_degeneracy(certified, report);
   if (certified.count >= 0 && certified.count != certified.roots.count)
     report.warnings.push_back(
         fmt::format("{} real dyads are proved to exist, but {} were found", certified.count, certified.roots.count));

@@ -1,11 +1,12 @@
 // Four poses: every dyad that meets them, one for each point of the circle-point curve.
 //
-// A point p of the body whose four places lie on a circle is a circle point, the centre c a centre point. Each displacement
-// from pose 1 gives one bilinear equation, |D_j p - c| = |p - c| (geometry/correlations.hpp); three of them leave a cubic
-// for p in E and a cubic for c in S, both circular, paired point by point (L. Burmester, "Lehrbuch der Kinematik", 1888;
-// O. Bottema, B. Roth, "Theoretical Kinematics", 1979, chapter VIII). The poles of the displacements lie on them. Where
-// one runs to infinity the partner is the pivot of a slider: PR at the end of the centre-point curve, RP at that of the
-// circle-point curve. Topology and errors are proved for the doubles given (docs/curves.md).
+// A point p of the body whose four places lie on a circle is a circle point, the centre c a centre point. Each
+// displacement from pose 1 gives one bilinear equation, |D_j p - c| = |p - c| (geometry/correlations.hpp); three of
+// them leave a cubic for p in E and a cubic for c in S, both circular, paired point by point (L. Burmester, "Lehrbuch
+// der Kinematik", 1888; O. Bottema, B. Roth, "Theoretical Kinematics", 1979, chapter VIII). The poles of the
+// displacements lie on them. Where one runs to infinity the partner is the pivot of a slider: PR at the end of the
+// centre-point curve, RP at that of the circle-point curve. Topology and errors are proved for the doubles given
+// (docs/curves.md).
 #pragma once
 
 #include <span>

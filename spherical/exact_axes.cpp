@@ -13,20 +13,18 @@ Box cross(const Box& a, const Box& b) {
 }
 RationalInterval dot(const Box& a, const Box& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-double size_of(const Box& a) {
-  double size = 0;
-  for (const RationalInterval& x : a) size = std::max(size, std::abs(approximate(x)));
+/// The largest coordinate of the middle: doubles may be too short for it.
+Rational size_of(const Box& a) {
+  Rational size(0);
+  for (const RationalInterval& x : a) size = std::max(size, Rational(abs(Rational(x.low() + x.high())) / 2));
   return size;
 }
 
 bool is_narrow(const Box& a) {
   static const Rational narrow(0x1p-60);
-  Rational size(0), width(0);
-  for (const RationalInterval& x : a) {
-    size = std::max(size, Rational(abs(Rational(x.low() + x.high())) / 2));
-    width = std::max(width, Rational(x.high() - x.low()));
-  }
-  return width < narrow * size;
+  Rational width(0);
+  for (const RationalInterval& x : a) width = std::max(width, Rational(x.high() - x.low()));
+  return width < narrow * size_of(a);
 }
 
 /// An interval around x whose ends are multiples of 2^-bits: short numbers again.
@@ -35,7 +33,16 @@ RationalInterval rounded(const RationalInterval& x, int bits) {
   const auto truncated = [&](const Rational& end) -> Integer { return (numerator(end) << bits) / denominator(end); };
   return {Rational(truncated(x.low()) - 1, unit), Rational(truncated(x.high()) + 1, unit)};
 }
-Box rounded(const Box& a, int bits) { return {rounded(a[0], bits), rounded(a[1], bits), rounded(a[2], bits)}; }
+
+/// The same axis of size 1, with short numbers.
+Box unit(const Box& a, int bits) {
+  const Rational size = size_of(a);
+  if (size == 0) return a;
+  const auto scaled = [&](const RationalInterval& x) {
+    return rounded(RationalInterval(x.low() / size, x.high() / size), bits);
+  };
+  return {scaled(a[0]), scaled(a[1]), scaled(a[2])};
+}
 
 /// (1 : s) of the kernel (1, s, s^2, s^3) of C, which is unique where some 3 x 3 minor is not zero.
 std::optional<std::array<RationalInterval, 2>> kernel(const MinorPolynomials& forms, const RationalInterval& t,
@@ -106,8 +113,8 @@ std::optional<EnclosedAxes> enclosed_axes(RealRoot& t, const Bilinear<Rational>&
     t.refine(Rational(1, Integer(1) << bits));
     const auto a = moving(rounded(t.bounds(), bits), bits);
     if (!a) continue;
-    EnclosedAxes out{rounded(*a, 2 * bits), {}, t.multiplicity()};
-    out.fixed = kernel(equations, out.moving);
+    EnclosedAxes out{unit(*a, 2 * bits), {}, t.multiplicity()};
+    out.fixed = unit(kernel(equations, out.moving), 2 * bits);
     if (is_narrow(out.moving) && is_narrow(out.fixed)) return out;
   }
   return std::nullopt;

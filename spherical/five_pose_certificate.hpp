@@ -1,10 +1,10 @@
 // The five-orientation answer proved: every dyad in its box, and no others (docs/certificates.md has the proof).
 //
-// Intervals first: the sextic of five_pose_sextic.hpp encloses that of the exact data, its real roots are as many as the
-// real dyads where all are proved simple, and Krawczyk's test gives a box around each dyad found. Where intervals cannot
-// decide, where they are too wide, or where the dyads found are not as many as are proved to exist, all is done over
-// rationals (exact_axes.hpp), which needs nothing of what was found. Where that ends in infinitely many dyads, their
-// kind is proved (exact_degeneracy.hpp).
+// Intervals first: the sextic of five_pose_sextic.hpp encloses that of the exact data, its real roots are as many as
+// the real dyads where all are proved simple, and Krawczyk's test gives a box around each dyad found. Where intervals
+// cannot decide, where they are too wide, or where the dyads found are not as many as are proved to exist, all is done
+// over rationals (exact_axes.hpp), which needs nothing of what was found. Where that ends in infinitely many dyads,
+// their kind is proved (exact_degeneracy.hpp).
 #pragma once
 
 #include <array>
@@ -41,8 +41,8 @@ struct CertifiedAxes {
   int isolated = 0;                          ///< beside these so many, the first of `axes`; all there are, proved
 };
 
-/// For any five orientations. `found`: approximations of the real dyads, of any origin, in any order; they save time, but
-/// the answer does not depend on them.
+/// For any five orientations. `found`: approximations of the real dyads, of any origin, in any order; they save time,
+/// but the answer does not depend on them.
 CertifiedAxes certified_axes(FivePoses poses, std::span<const AxisPair> found);
 
 /// The same of all that elimination gave (exact_axes.hpp), seen from the reference pose with that number.

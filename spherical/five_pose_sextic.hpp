@@ -6,9 +6,9 @@
 // in pose j as in pose r (J. M. McCarthy, G. S. Soh, "Geometric Design of Linkages", 2nd ed. 2011). So the 4 x 3 matrix
 // M(a) with the rows a^T N_j has rank two or less, and b' is its kernel: six pairs over the complex numbers.
 //
-// The 3 x 3 minors of M(a) are four cubics. With a = (u0, u1, s) write them as C(u) (1, s, s^2, s^3)^T, where column k of
-// C holds forms of degree 3 - k in u; then det C(u) is a sextic whose roots are the u of the six pairs. The proof, and
-// what happens at multiple roots, is in docs/certificates.md.
+// The 3 x 3 minors of M(a) are four cubics. With a = (u0, u1, s) write them as C(u) (1, s, s^2, s^3)^T, where column k
+// of C holds forms of degree 3 - k in u; then det C(u) is a sextic whose roots are the u of the six pairs. The proof,
+// and what happens at multiple roots, is in docs/certificates.md.
 #pragma once
 
 #include <array>
@@ -33,8 +33,8 @@ Bilinear<T> bilinear_equations(FivePoses poses, int reference) {
   return out;
 }
 
-/// Coordinates in which the sextic is formed: a = a'0 chart[0] + a'1 chart[1] + a'2 chart[2]. The six a are projected from
-/// chart[2]. Determinant 1.
+/// Coordinates in which the sextic is formed: a = a'0 chart[0] + a'1 chart[1] + a'2 chart[2]. The six a are projected
+/// from chart[2]. Determinant 1.
 using Chart = std::array<std::array<int, 3>, 3>;
 inline constexpr std::array<Chart, 6> charts{{{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
                                               {{{0, 1, 0}, {0, 0, 1}, {1, 0, 0}}},

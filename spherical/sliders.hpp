@@ -1,10 +1,11 @@
 // The sliders of four orientations: up to six pairs of axes at right angles in all four.
 //
 //     b . Q_j a = 0,   j = 1 .. 4
-// (equations 13 to 15 of J. Angeles, S. Bai, "A robust solution of the spherical Burmester problem", for four attitudes):
-// four bilinear equations, the 4 x 3 matrix with the rows a^T Q_j^T has rank two or less. So they are solved like the
-// dyads of five orientations (five_pose_sextic.hpp), over rationals: all real ones, enclosed and counted exactly.
-// Special orientations, half turns about three axes at right angles for instance, have infinitely many.
+// (equations 13 to 15 of J. Angeles, S. Bai, "A robust solution of the spherical Burmester problem", for four
+// attitudes): four bilinear equations, the 4 x 3 matrix with the rows a^T Q_j^T has rank two or less. So they are
+// solved like the dyads of five orientations (five_pose_sextic.hpp), over rationals: all real ones, enclosed and
+// counted exactly. Special orientations, half turns about three axes at right angles for instance, have infinitely
+// many.
 #pragma once
 
 #include <optional>

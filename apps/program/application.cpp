@@ -50,6 +50,14 @@ int guarded(const std::string& name, Console& console, const std::function<int()
   }
 }
 
+Synthesis answer_of(const Module& module, const Problem& problem, const std::string& file) {
+  try {
+    return module.synthesize(problem);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", file, error.what()));
+  }
+}
+
 int run_application(CLI::App& app, std::vector<std::string> arguments, Console& console,
                     const std::function<int()>& job) {
   try {

@@ -12,6 +12,7 @@
 #include "burmester/modules/framework/json_text.hpp"
 #include "burmester/modules/framework/problem_io.hpp"
 #include "burmester/modules/framework/result_io.hpp"
+#include "program/application.hpp"
 #include "program/commands.hpp"
 #include "program/output_folder.hpp"
 #include "program/table.hpp"
@@ -81,15 +82,6 @@ void write_folder(const OutputFolder& folder, const Module& module, const Proble
   folder.write("result.json", json_text(document));
   write_figures(folder, problem, drawing);
   folder.write("report.html", report_page(document, drawing));
-}
-
-/// Modules do not know the file.
-Synthesis answer_of(const Module& module, const Problem& problem, const std::string& file) {
-  try {
-    return module.synthesize(problem);
-  } catch (const InputError& error) {
-    throw InputError(file + ": " + error.what());
-  }
 }
 
 int synthesize(const Request& request, Program& program) {

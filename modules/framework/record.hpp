@@ -34,7 +34,7 @@ struct DyadRecord {
   std::optional<LineRecord> line;     ///< fixed line of PR, moving line of RP
   std::optional<double> length, arc, angle;
   double residual = 0;                ///< largest distance over the poses from being met
-  std::optional<double> condition;    ///< change of the dyad per change of the poses (docs/concepts.md); none: not counted
+  std::optional<double> condition;    ///< change of the dyad per change of the poses (docs/concepts.md), if counted
   std::optional<double> departure;    ///< slider: how far the circle that was solved for leaves the line
   std::optional<SliderRecord> slider;
   Certificate certificate;
@@ -73,7 +73,8 @@ struct CurveRecord {
   std::vector<PointRecord> moving, fixed;
 };
 
-/// Where a displacement from one pose to another leaves the body's points: the pole, on the sphere the axis of rotation.
+/// Where a displacement from one pose to another leaves the body's points: the pole, on the sphere the axis of
+/// rotation.
 struct PoleRecord {
   int poses[2] = {0, 0};          ///< counted from 1
   double angle = 0;               ///< of the rotation, radians

@@ -108,8 +108,8 @@ std::vector<typename D::Space::Pose> probes(Random& random, std::span<const type
 
 }  // namespace detail
 
-/// The different designs that the starts lead to, best first. Precondition: at least D::parameters poses, lengths not far
-/// below 1.
+/// The different designs that the starts lead to, best first. Precondition: at least D::parameters poses, lengths not
+/// far below 1.
 template <DyadType D>
 std::vector<Found<typename D::Design>> search_from(std::span<const typename D::Design> starts,
                                                    std::span<const typename D::Space::Pose> poses,

@@ -101,12 +101,14 @@ TEST(ResultDocument, HasTheKeysOfTheFormat) {
   EXPECT_EQ(json_line(d["solutions"]), R"({"dimension": 0, "complex": 4, "real": 3, "certified": false})");
   EXPECT_EQ(
       json_line(d["dyads"][0]),
-      R"({"id": 1, "type": "RR", "fixed": [5, 6], "moving": [7, 8], "length": 6, "residual": 0, "certificate": {"certified": false}})");
+      R"({"id": 1, "type": "RR", "fixed": [5, 6], "moving": [7, 8], "length": 6, "residual": 0, )"
+      R"("certificate": {"certified": false}})");
   EXPECT_EQ(json_line(d["dyads"][1]["slider"]),
             R"({"type": "PR", "line": {"point": [0, 1], "angle": 0}, "departure": 0.5})");
   EXPECT_EQ(
       json_line(d["dyads"][2]),
-      R"({"id": 3, "type": "PR", "moving": [1, 0], "line": {"point": [0, 2], "angle": 90}, "residual": 0, "departure": 1e-12, "certificate": {"certified": false}})");
+      R"({"id": 3, "type": "PR", "moving": [1, 0], "line": {"point": [0, 2], "angle": 90}, "residual": 0, )"
+      R"("departure": 1e-12, "certificate": {"certified": false}})");
   EXPECT_EQ(json_line(d["linkages"][1]["links"]),
             R"({"ground": null, "input": 6, "coupler": 3, "output": null})");
   EXPECT_EQ(d["linkages"][1]["offset"], 0.25);

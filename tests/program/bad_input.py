@@ -37,23 +37,30 @@ class BadInput(ProgramTest):
             self.assertIn("bad .json: line 1", self.refused("synthesize", path))
 
     def test_syntax(self):
-        for text in ("", " \n ", "{", "}", "[", "null", "1", "nonsense", "{\"geometry\": \"planar\", \"poses\": [NaN]}", "{} {}",
+        for text in ("", " \n ", "{", "}", "[", "null", "1", "nonsense", "{\"geometry\": \"planar\", \"poses\": [NaN]}",
+                     "{} {}",
                      "{\"geometry\": \"planar\",}", "'x'", "\ufeff", "[" * 100000, "{\"a\":" * 10000, "\x00", "{}\x00"):
             with self.subTest(text=text[:50]):
                 self.says(text)
         self.says(b"\xff\xfe{\x00}\x00")
         self.says(b'{"geometry": "planar\xff"}')
-        self.says('{"geometry": "planar", "poses": [[0, 0, 0], [1, 1, 1e999]]}', "line 1, column 52 (poses[1][2])", "finite")
+        self.says('{"geometry": "planar", "poses": [[0, 0, 0], [1, 1, 1e999]]}', "line 1, column 52 (poses[1][2])",
+                  "finite")
         self.says('{"geometry": "planar", "geometry": "planar"}', "geometry: expected each key once")
 
     def test_shape(self):
-        bad = {"geometry": ["planer", 1, None, {}], "units": ["mm", 1, {"angle": "degrees"}, {"angle": 1}, {"length": 1}],
+        bad = {"geometry": ["planer", 1, None, {}],
+               "units": ["mm", 1, {"angle": "degrees"}, {"angle": 1}, {"length": 1}],
                "poses": [[], [[0, 0, 0]], {}, "x", [[0, 0, 0], 1], [[0, 0, 0], [0, 0]], [[0, 0, 0], [0, 0, 0, 0]],
-                         [[0, 0, 0], {"x": 1, "y": 2}], [[0, 0, 0], {"x": 1, "y": 2, "angle": "3"}], [[0, 0, 0], [0, 0, None]]],
+                         [[0, 0, 0], {"x": 1, "y": 2}], [[0, 0, 0], {"x": 1, "y": 2, "angle": "3"}],
+                         [[0, 0, 0], [0, 0, None]]],
                "schema": [1, "burmester/problem/2", "burmester/linkage/1", "burmester/platform/1"],
-               "types": ["RR", [], ["RX"], [1]], "fixed": [1, [1, 2], [[1]], [[1, 2, 3]], [["a", "b"]]], "moving": [{}, [[]]],
-               "near": [[[1, None]], 3], "weights": [1, [1], ["exact"] * 4, [1, 1, 1, 1, -1], [1, 1, 1, 1, "x"], [0] * 5],
-               "linkages": [[], {"fixed_in": [[0, 0]]}, {"moving_in": [[0, 0], [1, 1, 1]]}, {"fixed_in": [[0, 0], [1, "2"]]},
+               "types": ["RR", [], ["RX"], [1]], "fixed": [1, [1, 2], [[1]], [[1, 2, 3]], [["a", "b"]]],
+               "moving": [{}, [[]]],
+               "near": [[[1, None]], 3], "weights": [1, [1], ["exact"] * 4, [1, 1, 1, 1, -1], [1, 1, 1, 1, "x"],
+                                                     [0] * 5],
+               "linkages": [[], {"fixed_in": [[0, 0]]}, {"moving_in": [[0, 0], [1, 1, 1]]},
+                            {"fixed_in": [[0, 0], [1, "2"]]},
                             {"classes": []}, {"classes": ["crank"]}, {"largest_ratio": 0.5}, {"most": 0}, {"most": 2.5},
                             {"most": 1e9}, {"most": "6"}],
                "name": [1, ["x"]], "source": [{}]}
@@ -72,8 +79,10 @@ class BadInput(ProgramTest):
 
     def test_spherical(self):
         for pose in ({}, [1, 2, 3], {"axis": [0, 0, 0], "angle": 1}, {"axis": [0, 1], "angle": 1}, {"axis": [0, 0, 1]},
-                     {"quaternion_wxyz": [0, 0, 0, 0]}, {"quaternion_wxyz": [1, 0, 0]}, {"matrix": [[1, 0, 0], [0, 1, 0]]},
-                     {"matrix": [[1, 0, 0], [0, 1, 0], [0, 0, -1]]}, {"matrix": [[1, 0, 0], [0, 1, 0], [0, 0, 1.00001]]},
+                     {"quaternion_wxyz": [0, 0, 0, 0]}, {"quaternion_wxyz": [1, 0, 0]},
+                     {"matrix": [[1, 0, 0], [0, 1, 0]]},
+                     {"matrix": [[1, 0, 0], [0, 1, 0], [0, 0, -1]]},
+                     {"matrix": [[1, 0, 0], [0, 1, 0], [0, 0, 1.00001]]},
                      {"longitude": 1, "latitude": 2}, {"longitude": 1, "latitude": 2, "roll": "3"},
                      {"axis": [0, 0, 1], "angle": 1, "quaternion_wxyz": [1, 0, 0, 0]}):
             with self.subTest(pose=pose):
@@ -82,9 +91,11 @@ class BadInput(ProgramTest):
         self.says(changed(SPHERICAL, types=["PP"]), "types[0]")
 
     def test_csv(self):
-        for text, place in (("x,y\n1,2\n", "line 1"), ("x,y,angle_deg\n", "line 2"), ("x,y,angle_deg\n1,2,3\n", "line 2"),
+        for text, place in (("x,y\n1,2\n", "line 1"), ("x,y,angle_deg\n", "line 2"),
+                            ("x,y,angle_deg\n1,2,3\n", "line 2"),
                             ("x,y,angle_deg\n1,2,3\n1,2\n", "line 3"), ("x,y,angle_deg\n1,2,3\n1,2,3,4\n", "line 3"),
-                            ("x,y,angle_deg\n1,2,3\n1,2,inf\n", "line 3, column angle_deg"), ("qw,qx,qy,qz\n1,0,0,0\n0,0,0,0\n", "line 3")):
+                            ("x,y,angle_deg\n1,2,3\n1,2,inf\n", "line 3, column angle_deg"),
+                            ("qw,qx,qy,qz\n1,0,0,0\n0,0,0,0\n", "line 3")):
             with self.subTest(text=text):
                 self.says(text, place)
 

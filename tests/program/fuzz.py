@@ -8,23 +8,32 @@ import sys
 import jsonschema
 
 sys.path.insert(0, os.path.join(sys.argv[2], "tests", "support"))
-from program import EXAMPLES, ProgramTest, load, main, run, schema, strict_json  # noqa: E402
+from program import EXAMPLES, FIVE_POSES, ProgramTest, load, main, run, schema, strict_json  # noqa: E402
 
 STREAM = random.Random("fuzz")
-VALUES = [0, -0.0, 1, -1, 1e-320, 1e-160, 1e160, 1e308, -1.7976931348623157e308, 2 ** 53 + 1, 2 ** 64, 180, 360, 90, -180,
+VALUES = [0, -0.0, 1, -1, 1e-320, 1e-160, 1e160, 1e308, -1.7976931348623157e308, 2 ** 53 + 1, 2 ** 64, 180, 360, 90,
+          -180,
           None, True, "", "x", "deg", "rad", "exact", "planar", "spherical", [], {}, [[]], [0, 0], [1, 2, 3], {"x": 1}]
-TOKENS = [b"NaN", b"Infinity", b"1e999", b"-", b"{", b"}", b"[", b"]", b",", b":", b'"', b"\\", b"\\u0000", b"\\ud800", b"\xff",
-          b"\xc3", b"\x00", b"\xef\xbb\xbf", b"null", b"//", b"0x10", b"01", b".5", b"1e", b"9" * 400, b"[" * 200, b" " * 100]
-SPHERICAL = [{"axis": [0, 0, 1], "angle": 0}, {"quaternion_wxyz": [0.9, 0.1, -0.2, 0.3]}, {"longitude": 10, "latitude": 20, "roll": 30},
+TOKENS = [b"NaN", b"Infinity", b"1e999", b"-", b"{", b"}", b"[", b"]", b",", b":", b'"', b"\\", b"\\u0000", b"\\ud800",
+          b"\xff",
+          b"\xc3", b"\x00", b"\xef\xbb\xbf", b"null", b"//", b"0x10", b"01", b".5", b"1e", b"9" * 400, b"[" * 200,
+          b" " * 100]
+SPHERICAL = [{"axis": [0, 0, 1], "angle": 0}, {"quaternion_wxyz": [0.9, 0.1, -0.2, 0.3]},
+             {"longitude": 10, "latitude": 20, "roll": 30},
              {"matrix": [[0, -1, 0], [1, 0, 0], [0, 0, 1]]}, {"axis": [1, 2, 3], "angle": 77}]
+FOUR_POSES = dict(FIVE_POSES, poses=FIVE_POSES["poses"][:4])
 
 
 def seeds():
     problems = [load(path) for path in sorted(glob.glob(os.path.join(EXAMPLES, "*.json")))]
     problems.append({"geometry": "spherical", "poses": SPHERICAL})
-    everything = {"types": ["RR", "PR"], "fixed": [[0, 0]], "moving": [[1, 2]], "weights": [1] * 5, "near": [[3, 4]],
-                  "linkages": {"fixed_in": [[0, 0], [5, 5]], "classes": ["crank-rocker"], "largest_ratio": 4, "most": 2}}
-    return problems + [dict(problems[0], **everything)]
+    problems += [dict(FOUR_POSES, near=[[3, 4], [0, 1]], weights=[1] * 4, types=["RR", "PR", "RP"],
+                      linkages={"fixed_in": [[-50, -50], [50, 50]], "moving_in": [[-50, -50], [50, 50]],
+                                "classes": ["crank-rocker", "double-rocker"], "largest_ratio": 4, "most": 2}),
+                 {"geometry": "spherical", "poses": SPHERICAL[:4], "types": ["RR", "PR"],
+                  "near": [[1, 2, 3], [0, 0, 1]]},
+                 dict(FIVE_POSES, fixed=[[0, 0]], moving=[[1, 2]], weights=[1] * 5, types=["RR", "PR"])]
+    return problems
 
 
 def places(value, path=()):
@@ -110,10 +119,16 @@ def far_off(document):
         return []
     shown = [abs(p[k]) for p in document["poses"] for k in ("x", "y") if k in p]
     return [d for d in document["dyads"] if d["residual"] > 1e-7 * max(
-        shown + [abs(v) for k in ("fixed", "moving") for v in d.get(k, [])] + [d.get("length", 0), document["task_size"]])]
+        shown + [abs(v) for k in ("fixed", "moving") for v in d.get(k, [])] + [d.get("length", 0),
+                                                                               document["task_size"]])]
 
 
 class Fuzz(ProgramTest):
+    def test_seeds_are_answered(self):
+        for problem in seeds():
+            answer = run("synthesize", "-", "--json", text=json.dumps(problem))
+            self.assertEqual(answer.returncode, 0, (problem, answer.stderr))
+
     def test_batch(self):
         problems = seeds()
         lines = [mutant(STREAM.choice(problems)).replace(b"\n", b" ") for _ in range(6000)]
@@ -139,7 +154,8 @@ class Fuzz(ProgramTest):
         problems = seeds()
         csv = b"x,y,angle_deg\n" + b"".join(b"%d,%d,%d\n" % (i, i * i, 10 * i) for i in range(5))
         for i in range(300):
-            text = changed_text(csv) if i % 3 == 0 else changed_text(json.dumps(STREAM.choice(problems), indent=1).encode())
+            text = changed_text(csv) if i % 3 == 0 else changed_text(json.dumps(STREAM.choice(problems),
+                                                                                indent=1).encode())
             answer = run("synthesize", "-", "--json", text=text)
             with self.subTest(text=text, error=answer.stderr):
                 self.assertIn(answer.returncode, (0, 2, 4))

@@ -12,7 +12,8 @@ sys.path.insert(0, os.path.join(sys.argv[2], "tests", "support"))
 from program import ProgramTest, example, main, schema, strict_json  # noqa: E402
 
 POSES = [[0, 0, 0], [2, 1, 30], [3, -1, 75], [1, 4, -20], [5, 5, 5], [-3, 2, 44]]
-SPHERICAL = [{"axis": [0, 0, 1], "angle": 0}, {"axis": [0, 1, 1], "angle": 40}, {"longitude": 20, "latitude": 30, "roll": 10},
+SPHERICAL = [{"axis": [0, 0, 1], "angle": 0}, {"axis": [0, 1, 1], "angle": 40},
+             {"longitude": 20, "latitude": 30, "roll": 10},
              {"quaternion_wxyz": [1, 0.5, 0, 0.2]}]
 
 
@@ -100,7 +101,8 @@ class Pivots(ProgramTest):
         self.assertEqual(len(document["linkages"]), 3)
         for dyad in document["dyads"]:
             for pose in POSES[:3]:
-                self.assertAlmostEqual(math.dist(place(pose, dyad["moving"]), dyad["fixed"]), dyad["length"], delta=1e-12)
+                self.assertAlmostEqual(math.dist(place(pose, dyad["moving"]), dyad["fixed"]), dyad["length"],
+                                       delta=1e-12)
             self.assertLess(dyad["certificate"]["radius"], 1e-13)
         self.assertEqual(self.answer(problem(POSES[:3], fixed=[[5, 0]], types=["PR"]))["dyads"], [])
         bare = self.answer(problem(POSES[:3], fixed=[[5, 0]]), "--no-certify")
@@ -131,7 +133,8 @@ class Pivots(ProgramTest):
             dyad = min(found, key=lambda d: math.dist(d["fixed"], point))
             self.assertLessEqual(math.dist(dyad["fixed"], point), min(math.dist(c, point) for c in pivots) + 1e-12)
             for pose in POSES[:4]:
-                self.assertAlmostEqual(math.dist(place(pose, dyad["moving"]), dyad["fixed"]), dyad["length"], delta=1e-10)
+                self.assertAlmostEqual(math.dist(place(pose, dyad["moving"]), dyad["fixed"]), dyad["length"],
+                                       delta=1e-10)
             self.assertTrue(dyad["certificate"]["certified"])
         self.assertTrue(any(l["type"] == "RRRR" for l in document["linkages"]))
         self.assertEqual(self.answer(problem(POSES[:3], near=near))["warnings"],
@@ -149,7 +152,8 @@ class Pivots(ProgramTest):
         axes = [c for curve in document["curves"] for c in curve["fixed"]]
         for direction in near:
             best = max(found, key=lambda d: nearness(d["fixed"], direction))
-            self.assertGreaterEqual(nearness(best["fixed"], direction), max(nearness(c, direction) for c in axes) - 1e-14)
+            self.assertGreaterEqual(nearness(best["fixed"], direction),
+                                    max(nearness(c, direction) for c in axes) - 1e-14)
         for dyad in found:
             self.assertLess(dyad["residual"], 1e-14)
             self.assertLess(dyad["certificate"]["radius"], 1e-12)
@@ -170,7 +174,8 @@ class Pivots(ProgramTest):
             self.assertLessEqual({"curves.svg", "curves_near.svg", "vector_diagram.svg"}, set(os.listdir(folder)))
 
     def test_linkages_as_asked_for(self):
-        asked = {"fixed_in": [[9, 8], [-3, -6]], "moving_in": [[-8, -8], [8, 8]], "classes": ["crank-rocker", "double-crank"],
+        asked = {"fixed_in": [[9, 8], [-3, -6]], "moving_in": [[-8, -8], [8, 8]],
+                 "classes": ["crank-rocker", "double-crank"],
                  "largest_ratio": 8, "most": 3}
         self.assertIsNone(jsonschema.validate(json.loads(problem(POSES[:4], linkages=asked)), schema("problem")))
         document = self.answer(problem(POSES[:4], linkages=asked))
@@ -188,10 +193,12 @@ class Pivots(ProgramTest):
                          ["linkages: only four poses without given pivots leave a choice; ignored"])
         self.assertEqual(self.answer(problem(POSES[:4], linkages=asked, types=["PR"]))["warnings"],
                          ["linkages: RR dyads are not asked for; ignored"])
-        self.assertEqual(self.answer(problem(POSES[:4], linkages={"mots": 3}))["warnings"], ["linkages.mots: unknown key, ignored"])
+        self.assertEqual(self.answer(problem(POSES[:4], linkages={"mots": 3}))["warnings"],
+                         ["linkages.mots: unknown key, ignored"])
         sphere = json.dumps({"geometry": "spherical", "poses": [{"axis": [1, 2, k], "angle": 20 * k} for k in range(4)],
                              "linkages": {"most": 3}})
-        self.assertEqual(self.answer(sphere)["warnings"][0], "linkages: the spherical module ranks no linkages; ignored")
+        self.assertEqual(self.answer(sphere)["warnings"][0],
+                         "linkages: the spherical module ranks no linkages; ignored")
 
     def test_constructions_are_drawn(self):
         names = {f"construction_{k}_{how}.svg" for k in (1, 2) for how in ("inversion", "poles")}
@@ -208,7 +215,8 @@ class Pivots(ProgramTest):
 
     def test_csv(self):
         csv = "x,y,angle_deg\n" + "".join("%r,%r,%r\n" % tuple(pose) for pose in POSES[:3])
-        self.assertEqual(strict_json(self.good("synthesize", "-", "--json", text=csv).stdout), self.answer(problem(POSES[:3])))
+        self.assertEqual(strict_json(self.good("synthesize", "-", "--json", text=csv).stdout),
+                         self.answer(problem(POSES[:3])))
 
     def test_text(self):
         text = self.good("synthesize", "-", text=problem(POSES[:2], moving=[[1, 1]])).stdout.decode()
@@ -231,7 +239,8 @@ class Pivots(ProgramTest):
         self.assertTrue(document["solutions"]["certified"])
         self.assertEqual(self.answer(problem(SPHERICAL, "spherical", fixed=[[1, 2, 3]]))["status"], "approximate")
         csv = "qw,qx,qy,qz\n1,0,0,0\n1,0.5,0,0.2\n"
-        self.assertEqual(strict_json(self.good("synthesize", "-", "--json", text=csv).stdout)["solutions"]["dimension"], 3)
+        self.assertEqual(strict_json(self.good("synthesize", "-", "--json", text=csv).stdout)["solutions"]["dimension"],
+                         3)
 
     def test_refused(self):
         for text, place_of_error in ((problem(POSES[:1], fixed=[[0, 0]]), "poses: expected two or more poses"),
@@ -244,7 +253,8 @@ class Pivots(ProgramTest):
                                      (problem(SPHERICAL, "spherical", near=[[0, 0, 1], [0, 0, 0]]),
                                       "near[1]: expected an axis that is not zero"),
                                      (problem(SPHERICAL, "spherical", near=[[0, 1]]), "near[0]"),
-                                     (problem(POSES[:4], near=[[0, 1e101]]), "near[0]: expected coordinates of magnitude")):
+                                     (problem(POSES[:4], near=[[0, 1e101]]),
+                                      "near[0]: expected coordinates of magnitude")):
             with self.subTest(text=text):
                 self.assertIn(place_of_error, self.refused("synthesize", "-", text=text))
 

@@ -152,8 +152,8 @@ TEST(SphericalFourPoseCurves, NoCrossingOfTheConeIsMissed) {
 }
 
 /// Cones of the first four attitudes of example 1 of J. Angeles, S. Bai, "A robust solution of the spherical Burmester
-/// problem", equation 10, computed from the integer angles (the second latitude with the sign +6 deg, as its printed axis
-/// and angle have it) in 15 digits, the largest coefficient 1 or -1; in the order of geometry/cubic.hpp.
+/// problem", equation 10, computed from the integer angles (the second latitude with the sign +6 deg, as its printed
+/// axis and angle have it) in 15 digits, the largest coefficient 1 or -1; in the order of geometry/cubic.hpp.
 const FourPoseTask example_1{pose_from_globe_degrees(0, 0, 0), pose_from_globe_degrees(-10, 6, 0),
                              pose_from_globe_degrees(-51, -52, -12), pose_from_globe_degrees(15, -56, 47)};
 constexpr std::array<double, 10> circle_cone_1{

@@ -155,6 +155,23 @@ const std::array<NamedTask, 5> infinite{{
     {{Pose{-1, 0, -1, 0}, {-1, 0, 1, 0}, {1, -1, -1, -1}, {1, -1, 1, 1}}, {2, 2, 0}},
 }};
 
+/// A half turn but for far less than doubles see beside 1: solutions whose coordinates differ by hundreds of digits.
+TEST(SphericalSliders, NearlyHalfTurnsOfAnySizeAreMet) {
+  for (const double e : {1e-20, 1e-90, 1e-100, 1e-300}) {
+    const FourPoseTask task{Pose{1, 0, 0, 0}, {0.9 * e, 1, -0.2 * e, 0.3 * e}, {0.9, 0.3, 0.2, 0.3}, {1, 0, 0, 1}};
+    const auto found = sliders(task);
+    ASSERT_TRUE(found) << e;
+    EXPECT_EQ(found->size() % 2, 0u) << e;
+    EXPECT_FALSE(found->empty()) << e;
+    for (const FoundSlider& f : *found) {
+      EXPECT_NEAR(design_of(f).fixed.norm(), 1, 1e-15) << e;
+      EXPECT_NEAR(design_of(f).moving.norm(), 1, 1e-15) << e;
+      EXPECT_LT(f.slider.residual, 1e-15) << e;
+      EXPECT_TRUE(f.slider.certificate.certified) << e;
+    }
+  }
+}
+
 TEST(SphericalSliders, InfinitelyManyAreProvedAndNamed) {
   for (const NamedTask& named : infinite) EXPECT_EQ(degrees_of(named.task), named.degrees);
   EXPECT_NE(FourPoseSolver()

@@ -167,7 +167,7 @@ int semigraphical(const Request& request, const Registry& registry, Console& con
   std::optional<OutputFolder> folder;
   if (!request.folder.empty()) folder.emplace(request.folder);
 
-  const Synthesis algebraic = listed(registry.find("spherical")->synthesize(problem), {});
+  const Synthesis algebraic = listed(answer_of(*registry.find("spherical"), problem, name), {});
   const SemigraphicalAnswer answer = spherical::semigraphical(spherical::poses_of(problem), request.cells);
   const std::vector<Pairing> pairings = paired(answer, algebraic);
   const std::string as_json = json_text(document(problem, answer, pairings, algebraic));
