@@ -25,16 +25,16 @@ double distance(const RR::Design& a, const RR::Design& b) {
 class Search {
  public:
   Search(FourPoses poses, const CurveLinkageOptions& options)
-      : poses_(poses), options_(options), size_(task_size(poses)) {
+      : poses_(poses), options_(options), unit_(options.unit * task_size(poses)) {
     Vector2 centroid(0, 0);
     for (const Pose& p : poses) centroid += Vector2(p.x, p.y) / 4;
-    const Vector2 half(2 * size_, 2 * size_);
+    const Vector2 half(2 * unit_, 2 * unit_);
     near_ = {centroid - half, centroid + half};
   }
 
   std::vector<CurveLinkage> run(std::span<const CurveRecord> curves) const {
-    std::vector<RR::Design> dyads = thinned(curves, options_.spacing * size_);
-    for (double spacing = options_.spacing * size_; dyads.size() > most_dyads;) dyads = thinned(curves, spacing *= 1.5);
+    std::vector<RR::Design> dyads = thinned(curves, options_.spacing * unit_);
+    for (double spacing = options_.spacing * unit_; dyads.size() > most_dyads;) dyads = thinned(curves, spacing *= 1.5);
     std::vector<CurveLinkage> all;
     for (std::size_t i = 0; i < dyads.size(); ++i)
       for (std::size_t j = i + 1; j < dyads.size(); ++j)
@@ -107,7 +107,7 @@ class Search {
     const auto close = [&](const CurveLinkage& a, const CurveLinkage& b) {
       const double same = std::max(distance(a.first, b.first), distance(a.second, b.second)),
                    swapped = std::max(distance(a.first, b.second), distance(a.second, b.first));
-      return std::min(same, swapped) < options_.apart * size_;
+      return std::min(same, swapped) < options_.apart * unit_;
     };
     for (const CurveLinkage& linkage : ranked) {
       if (out.size() == options_.wanted) break;
@@ -119,7 +119,7 @@ class Search {
 
   FourPoses poses_;
   const CurveLinkageOptions& options_;
-  double size_;
+  double unit_;
   PivotWindow near_;
 };
 

@@ -26,14 +26,15 @@ struct PivotWindow {
 };
 
 struct CurveLinkageOptions {
-  /// Where fixed pivots (in S) and moving pivots (in E) may be. None: within two task sizes, along x and y, of the
+  /// Where fixed pivots (in S) and moving pivots (in E) may be. None: within two `unit` task sizes, along x and y, of the
   /// centroid of the pose origins; moving pivots as they lie in pose 1.
   std::optional<PivotWindow> fixed = {}, moving = {};
   double largest_ratio = 10;              ///< longest to shortest link
   std::vector<std::string> classes = {};  ///< wanted, by the names of four_bar_class; none: all
   std::size_t wanted = 6;                 ///< length of the list, at most
-  double spacing = 0.05;                  ///< of the dyads tried, in task sizes: the larger move of their two pivots
-  double apart = 0.4;  ///< of listed linkages: one of the four pivots differs by this many task sizes
+  double unit = 1;                        ///< of the lengths here and of the boxes by default, in task sizes
+  double spacing = 0.05;                  ///< of the dyads tried, in units: the larger move of their two pivots
+  double apart = 0.4;                     ///< of listed linkages: one of the four pivots differs by this many units
 };
 
 struct CurveLinkage {

@@ -116,6 +116,8 @@ double curve_scale(FourPoses poses) {
   return std::clamp(distances[2] / 2, size, largest_scale * size);
 }
 
+bool curves_are_far(FourPoses poses, double unit) { return curve_scale(poses) > 2 * unit * task_size(poses); }
+
 FourPoseCurves four_pose_curves(FourPoses poses, const CurveOptions& options) {
   const Task task(poses);
   PairedCurves curves =
@@ -126,6 +128,12 @@ FourPoseCurves four_pose_curves(FourPoses poses, const CurveOptions& options) {
   return curves_in_frames(curves, task);
 }
 
+std::vector<CurveRecord> curves_near_poses(FourPoses poses, double unit) {
+  const double share = unit * task_size(poses) / curve_scale(poses);
+  const CurveOptions whole;
+  return four_pose_curves(poses, {share * whole.tolerance, share * whole.longest, share * whole.window}).pieces;
+}
+
 PlanarReport FourPoseSolver::solve(std::span<const Pose> poses) const {
   assert(poses.size() == 4);
   const FourPoses four = poses.first<4>();
@@ -133,7 +141,7 @@ PlanarReport FourPoseSolver::solve(std::span<const Pose> poses) const {
   if (report.status == Status::degenerate) return report;
   const Task task(four);
   const double size = task_size(four), window = CurveOptions().window * task.length();
-  if (task.length() > power_of_two_below(size))
+  if (curves_are_far(four))
     report.message += fmt::format("; the poles are far: listed within {:.3g} of pose 1's origin, {:.3g} task sizes",
                                   window, window / size);
   add_sliders(task, report);

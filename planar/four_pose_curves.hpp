@@ -10,6 +10,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "burmester/modules/framework/curve_report.hpp"
 #include "burmester/planar/five_pose_solver.hpp"
@@ -23,6 +24,9 @@ using FourPoses = std::span<const Pose, 4>;
 double curve_scale(FourPoses poses);
 constexpr double largest_scale = 0x1p20;
 
+/// Whether the curve scale is above 2 `unit` task sizes: too coarse a length for what is of `unit` task sizes.
+bool curves_are_far(FourPoses poses, double unit = 1);
+
 /// In curve scales, or up to twice as much: the unit is the power of two below the curve scale.
 struct CurveOptions {
   double tolerance = 1e-4;  ///< largest error of a piece
@@ -34,6 +38,8 @@ using burmester::FourPoseCurves;
 
 /// Preconditions as for five poses.
 FourPoseCurves four_pose_curves(FourPoses poses, const CurveOptions& options = {});
+/// The pieces near the poses: window, chords and tolerance of CurveOptions in `unit` task sizes (up to half of that).
+std::vector<CurveRecord> curves_near_poses(FourPoses poses, double unit = 1);
 
 struct FourPoseSolver {
   using Pose = planar::Pose;

@@ -105,24 +105,37 @@ PlanarReport solve(const Problem& problem, std::span<const Pose> poses) {
   return report;
 }
 
+constexpr const char* no_linkage = "linkages: no two dyads of the curves as listed are as asked for";
+
 void add_candidates(const Problem& problem, FourPoses poses, Synthesis& answer) {
   if (!problem.types.empty() && !asked_for(problem, RR::name)) {
     if (problem.linkages) answer.warnings.push_back("linkages: RR dyads are not asked for; ignored");
     return;
   }
-  const LinkageRequest request = problem.linkages.value_or(LinkageRequest{});
-  std::vector<CurveRecord> curves = answer.curves;
-  if (const double far = curve_scale(poses) / task_size(poses); far > 1) {  // chords fit for the task
-    const CurveOptions whole;
-    const CurveOptions near{whole.tolerance / far, whole.longest / far, whole.window / far};
-    std::ranges::move(four_pose_curves(poses, near).pieces, std::back_inserter(curves));
+  if (answer.curves.empty()) {
+    if (problem.linkages) answer.warnings.push_back(no_linkage);
+    return;
   }
-  answer.candidates = candidates_of(poses, curves, options_of(request));
-  if (problem.linkages && answer.candidates.size() < request.most.value_or(1))
+  CurveLinkageOptions options = options_of(problem.linkages.value_or(LinkageRequest{}));
+  const bool boxed = options.fixed || options.moving;
+  const double last = CurveOptions().window / 2 * curve_scale(poses) / task_size(poses);  // the boxes hold the window
+  for (;; options.unit *= 2) {
+    std::vector<CurveRecord> curves = answer.curves;
+    if (curves_are_far(poses, options.unit))
+      std::ranges::move(curves_near_poses(poses, options.unit), std::back_inserter(curves));
+    answer.candidates = candidates_of(poses, curves, options);
+    if (boxed || answer.candidates.size() >= options.wanted || options.unit >= last) break;
+  }
+  if (answer.candidates.empty())
+    answer.warnings.push_back(problem.linkages ? no_linkage : "no two dyads of the curves as listed make a four-bar");
+  else if (problem.linkages && answer.candidates.size() < problem.linkages->most.value_or(1))
     answer.warnings.push_back(
-        answer.candidates.empty()
-            ? "linkages: no two dyads of the curves as listed are as asked for"
-            : fmt::format("linkages: only {} different ones are as asked for", answer.candidates.size()));
+        fmt::format("linkages: only {} different ones are as asked for", answer.candidates.size()));
+  if (!answer.candidates.empty() && options.unit > 1)
+    answer.warnings.push_back(
+        fmt::format("the four-bars listed have pivots up to {:.3g} task sizes away: fewer than {} are "
+                    "nearer; linkages.fixed_in and linkages.moving_in set where",
+                    2 * options.unit, options.wanted));
 }
 
 class PlanarModule final : public Module {
@@ -146,7 +159,7 @@ class PlanarModule final : public Module {
     const PlanarReport report = solve(problem, poses);
     Synthesis answer{report.status,       report.message, report.counts, records_of(report),
                      linkages_of(report.dyads, planar::task_size(poses)), report.warnings, report.curves, report.family};
-    if (!report.curves.empty())
+    if (poses.size() == 4 && problem.fixed.empty() && problem.moving.empty())
       add_candidates(problem, std::span(poses).first<4>(), answer);
     return answer;
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "burmester/planar/dyad_form.hpp"
+#include "burmester/planar/four_pose_curves.hpp"
 #include "burmester/planar/poles.hpp"
 
 namespace burmester::planar {
@@ -137,6 +138,15 @@ class Plates {
     return sheet.finished(0.1);
   }
 
+  /// In which the linkage is of ordinary size, as CurveLinkageOptions::unit; 1 or more.
+  double unit_of(const CandidateRecord& candidate) const {
+    double farthest = 2 * size_;
+    for (const DyadRecord& dyad : candidate.dyads)
+      for (const Vector2& p : {vector_of(dyad.fixed), to_fixed(poses_[0], vector_of(dyad.moving))})
+        farthest = std::max(farthest, (p - centre_).cwiseAbs().maxCoeff());
+    return farthest / (2 * size_);
+  }
+
  private:
   bool near(const Vector2& p) const { return (p - centre_).cwiseAbs().maxCoeff() < 2 * reach_; }
 
@@ -184,15 +194,17 @@ class Plates {
 
 std::vector<Plate> four_pose_plates(FourPoses poses, const std::vector<CurveRecord>& curves,
                                     const std::vector<CandidateRecord>& candidates) {
-  const double size = task_size(poses), scale = curve_scale(poses);
-  const Plates plates(poses, scale), near(poses, size);
-  const bool linkage_is_small = scale > 2 * size && !candidates.empty();
+  const Plates plates(poses, curve_scale(poses));
+  const double unit = candidates.empty() ? 1 : plates.unit_of(candidates[0]);
+  const bool linkage_is_small = !candidates.empty() && curves_are_far(poses, unit);
   std::vector<Plate> out;
   if (!curves.empty())
     out.push_back(plates.curves("curves", "Circle points and centre points", curves,
                                 linkage_is_small ? std::vector<CandidateRecord>() : candidates));
   if (linkage_is_small)
-    out.push_back(near.curves("curves_near", "Circle points and centre points near the poses", curves, candidates));
+    out.push_back(Plates(poses, unit * task_size(poses))
+                      .curves("curves_near", "Circle points and centre points near the poses",
+                              curves_near_poses(poses, unit), candidates));
   const DyadForm form(poses);
   if (!form.degeneracy().empty()) return out;
   out.push_back(plates.modes(form));

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <numbers>
+#include <set>
 
 #include "burmester/planar/linkage.hpp"
 #include "four_poses.hpp"
@@ -112,6 +114,34 @@ TEST(CurveLinkages, KeepTheLimitsAskedFor) {
   }
   EXPECT_GT(listed, 50);
   EXPECT_GT(crank_rockers, 50);
+}
+
+/// A rocker-crank is a crank-rocker driven at its other dyad. The rank counts the driver, so whole lists are compared.
+TEST(CurveLinkages, RockerCranksAreCrankRockersDrivenAtTheOtherDyad) {
+  Random random("CurveLinkages.RockerCranksAreCrankRockersDrivenAtTheOtherDyad");
+  int pairs = 0;
+  for (int i = 0; i < 10; ++i) {
+    const FourPoseTask task = random_four_poses(random);
+    const FourPoseCurves curves = four_pose_curves(task);
+    const auto listed = [&](const char* motion_class) {
+      return linkages_from_curves(task, curves.pieces, {.classes = {motion_class}, .wanted = 100000, .apart = 0});
+    };
+    const auto cranks = listed("crank-rocker"), rockers = listed("rocker-crank");
+    ASSERT_EQ(cranks.size(), rockers.size()) << i;
+    const auto key = [](const RR::Design& a, const RR::Design& b) {
+      return std::array{a.fixed[0], a.fixed[1], a.moving[0], a.moving[1],
+                        b.fixed[0], b.fixed[1], b.moving[0], b.moving[1]};
+    };
+    std::set<std::array<double, 8>> forth, back;
+    for (const CurveLinkage& l : cranks) forth.insert(key(l.first, l.second));
+    for (const CurveLinkage& l : rockers) {
+      EXPECT_EQ(l.motion_class, "rocker-crank") << i;
+      back.insert(key(l.second, l.first));
+    }
+    EXPECT_EQ(forth, back) << i;
+    pairs += static_cast<int>(forth.size());
+  }
+  EXPECT_GT(pairs, 100);
 }
 
 TEST(CurveLinkages, FollowTheUnitAndTheFrame) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "burmester/planar/curve_linkages.hpp"
 #include "burmester/planar/dyad_form.hpp"
@@ -69,6 +70,16 @@ TEST(CurvePlates, SmallTurnsAreShownFromFarAndNear) {
   for (const char* role : {"fixed_pivot", "moving_pivot", "frame"})
     for (const Polyline& line : lines(plates[1], role))
       for (const auto& p : line) EXPECT_TRUE(shows(plates[1], p)) << role;
+  // Curves that are followed near the poses are as fine as a figure of them needs: the pivots drawn lie on them.
+  const Vector2 pivot = vector_of(lines(plates[1], "fixed_pivot", "A0").at(0)[0]);
+  const auto off = [&](const Plate& plate) {
+    double best = std::numeric_limits<double>::infinity();
+    for (const Polyline& line : lines(plate, "centre_points"))
+      best = std::min(
+          best, distance_to_polyline(pivot, line.size(), false, [&](std::size_t k) { return vector_of(line[k]); }));
+    return best;
+  };
+  EXPECT_LT(off(plates[1]), 1e-4 * task_size(task));
 }
 
 TEST(CurvePlates, TheCompatibilityLinkageCloses) {
