@@ -85,7 +85,7 @@ const tables = (() => {
     );
     table(
       "table-samples",
-      `Samples: ${shown} of ${samples.length} in all`,
+      shown < samples.length ? `Samples: ${shown} of ${samples.length} in all` : "Samples",
       [...DYAD, col("", d => copier(d, "sample"), true)],
       some,
       () => ({}),
