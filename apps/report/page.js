@@ -18,7 +18,8 @@
     planar,
     dyadPoints,
   } = report;
-  const { poseSymbol, drawLive, drawGhost, scaleBar, fixedFrame, frameAt, tracks, stops, drawDyad } = plane;
+  const { poseSymbol, drawLive, drawGhost, scaleBar, fixedFrame, frameAt, tracks, stops } = plane;
+  const { drawDyad, drawFourBar } = plane;
   const drawn = new Map(
     [...(drawing.linkages || []), ...[...spheres.keys()].filter(id => id).map(id => ({ id }))].map(l => [
       l.id,
@@ -74,6 +75,7 @@
         put(c.moving && c.moving.map(q => inBody(poses[0], q)), "curve-moving");
       }
     const shown = dyads.filter(d => planar(d) && ($("show-dyads").checked || state.hot.has(d.id)));
+    if (state.candidate) out.push(drawFourBar(view1, state.candidate));
     out.push(
       ...shown.map(d => drawDyad(view1, d)),
       ...poses.map((p, i) => poseSymbol(view1, p, i, size)),
@@ -199,6 +201,13 @@
     setMotion(0);
     return true;
   }
+  function selectCandidate(c) {
+    // draws a four-bar from the curves in figure 1
+    state.candidate = c;
+    for (const r of document.querySelectorAll("tr[data-candidate]"))
+      r.classList.toggle("chosen", +r.dataset.candidate === c.rank);
+    view1.fit(boxOf([...poses.map(p => p.origin), ...c.dyads.flatMap(dyadPoints)], 0.14));
+  }
   function play(on) {
     const m = motionNow();
     state.playing = Boolean(on && m && m.frames.length > 1);
@@ -242,7 +251,16 @@
   });
 
   // ---- set-up ---------------------------------------------------------------------------------------------------
-  const reachBox = () => boxOf([...poses.map(p => p.origin), ...dyads.filter(planar).flatMap(dyadPoints)], 0.06);
+  const reachBox = () =>
+    boxOf(
+      [
+        ...poses.map(p => p.origin),
+        ...dyads.filter(planar).flatMap(dyadPoints),
+        ...curves.flatMap(c => [...(c.fixed || []), ...(c.moving || []).map(q => inBody(poses[0], q))]),
+      ],
+      0.06,
+    );
+  const side = b => Math.max(b[2] - b[0], b[3] - b[1]);
   const view1 = spherical
     ? new sphereTools.Globe($("svg-poses"), drawPoses)
     : new View($("svg-poses"), drawPoses, { fit: poseBox, fit2: reachBox }, 46);
@@ -289,10 +307,18 @@
     if (spherical) setUpSpheres();
     words.fillHead();
     words.fillEmpty(linkages.some(l => drawn.has(l.id)));
-    words.fillTables(drawn, hover, id => {
-      select(id);
-      $("linkages").scrollIntoView({ block: "start" });
-    });
+    tables.fillTables(
+      drawn,
+      hover,
+      id => {
+        select(id);
+        $("linkages").scrollIntoView({ block: "start" });
+      },
+      c => {
+        selectCandidate(c);
+        $("fig-poses").scrollIntoView({ block: "start" });
+      },
+    );
     const figure = spherical || poses.length > 0;
     $("fig-poses").hidden = !figure;
     document.querySelector(".lead").classList.toggle("alone", !figure);
@@ -314,6 +340,7 @@
       });
     new ResizeObserver(drawTicks).observe($("ticks"));
     view1.resize();
+    if (!spherical && curves.length && side(reachBox()) < 12 * side(poseBox())) view1.act("fit2");
     view2.resize();
     const open = linkages.filter(l => drawn.has(l.id)),
       best =
@@ -329,6 +356,7 @@
     window.burmesterReport = {
       ready: true,
       select,
+      selectCandidate: rank => selectCandidate(report.candidates.find(c => c.rank === rank)),
       setFraction: t => {
         const m = motionNow();
         play(false);

@@ -226,7 +226,7 @@ const plane = (() => {
     return out;
   }
 
-  function drawDyad(view, d) {
+  function drawDyad(view, d, name = `dyad ${d.id}`) {
     const hot = state.hot.has(d.id) ? " hot" : "",
       g = s("g", {}),
       line = d.line && d.line.point;
@@ -257,9 +257,31 @@ const plane = (() => {
       });
     if (d.fixed) g.append(support(view.px(d.fixed), hot));
     g.append(
-      text(add(view.px(d.fixed || inBody(poses[0], d.moving)), [10, -12]), `dyad ${d.id}`, "dyad-label", "start"),
+      text(add(view.px(d.fixed || inBody(poses[0], d.moving)), [10, -12]), name, "dyad-label", "start"),
     );
     return g;
   }
-  return { poseSymbol, prepare, drawLive, drawGhost, scaleBar, fixedFrame, frameAt, tracks, stops, drawDyad };
+  function drawFourBar(view, c) {
+    // in pose 1: the coupler, with the origin of the moving frame, and both cranks
+    const corners = [...c.dyads.map(d => inBody(poses[0], d.moving)), poses[0].origin];
+    return s(
+      "g",
+      {},
+      s("path", { class: "coupler", d: pathOf(corners.map(p => view.px(p)), true) }),
+      c.dyads.map((d, k) => drawDyad(view, d, ["input", "output"][k])),
+    );
+  }
+  return {
+    poseSymbol,
+    prepare,
+    drawLive,
+    drawGhost,
+    scaleBar,
+    fixedFrame,
+    frameAt,
+    tracks,
+    stops,
+    drawDyad,
+    drawFourBar,
+  };
 })();

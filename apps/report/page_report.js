@@ -15,10 +15,11 @@ const report = (() => {
     dyads = result.dyads || [],
     curves = result.curves || [];
   const linkages = result.linkages || [],
+    candidates = result.candidates || [],
     units = result.units || {};
   const spheres = new Map((drawing.spheres || []).map(d => [d.linkage, d]));
   const spherical = spheres.size > 0; // then nothing is drawn in the plane
-  const state = { id: null, motion: 0, u: 0, playing: false, direction: 1, hot: new Set() };
+  const state = { id: null, motion: 0, u: 0, playing: false, direction: 1, hot: new Set(), candidate: null };
   const colour = i => `--c:var(--p${i % 8})`;
   const poseName = i => (poses[i] ? poses[i].label : String(i + 1));
   const angleUnit = () => (units.angle === "rad" ? " rad" : "°");
@@ -27,6 +28,11 @@ const report = (() => {
   function dyadPoints(d) {
     return [d.fixed, d.moving && poses[0] && inBody(poses[0], d.moving)].filter(Boolean);
   }
+  const lengths = l =>
+    Object.entries({
+      ...(l.links || {}),
+      offset: l.links && isNumber(l.links.offset) ? l.links.offset : l.offset,
+    }).filter(([, v]) => isNumber(v));
   return {
     result,
     drawing,
@@ -34,6 +40,7 @@ const report = (() => {
     dyads,
     curves,
     linkages,
+    candidates,
     units,
     spheres,
     spherical,
@@ -44,5 +51,6 @@ const report = (() => {
     inBody,
     planar,
     dyadPoints,
+    lengths,
   };
 })();

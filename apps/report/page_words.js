@@ -1,134 +1,10 @@
-// The words of the page: its head, the tables, the cards to choose a linkage from.
+// The words of the page: its head, captions, the cards to choose a linkage from.
 const words = (() => {
   "use strict";
-  const { $, h, s, isNumber, plural, format, number, point, copy, col, table, boxOf } = tools;
-  const { result, poses, dyads, curves, linkages, units, spheres, spherical, poseName, angleUnit, planar } = report;
+  const { $, h, s, isNumber, plural, format, boxOf } = tools;
+  const { result, poses, dyads, curves, linkages, candidates, lengths, units, spheres, spherical } = report;
+  const { poseName, angleUnit, planar } = report;
   const kind = l => (l.class ? `${l.type}, ${l.class}` : l.type);
-  const lengths = l =>
-    Object.entries({
-      ...(l.links || {}),
-      offset: l.links && isNumber(l.links.offset) ? l.links.offset : l.offset,
-    }).filter(([, v]) => isNumber(v));
-  const TYPES = {
-    RR: "fixed pivot and moving pivot",
-    PR: "slider on a fixed line, moving pivot",
-    RP: "fixed pivot, slider on a moving line",
-    PP: "two sliders",
-  };
-  const copier = (value, what) =>
-    h("button", { type: "button", "aria-label": `Copy ${what} as JSON`, onclick: () => copy(value, what) }, "Copy");
-  function reach(d) {
-    if (d.line)
-      return h(
-        "span",
-        { class: "wide" },
-        "line through ",
-        point(d.line.point),
-        " at ",
-        number(d.line.angle, 6, angleUnit()),
-      );
-    if (isNumber(d.arc)) return number(d.arc, 6, angleUnit());
-    return isNumber(d.length)
-      ? h(
-          "span",
-          {},
-          number(d.length),
-          d.slider ? h("span", { class: "sub" }, `nearly the slider ${d.slider.type}`) : "",
-        )
-      : isNumber(d.angle)
-        ? h("span", {}, "coupler kept at ", number(d.angle, 6, angleUnit()))
-        : null;
-  }
-  const angles = list =>
-    h(
-      "span",
-      { class: "num" },
-      list.map(v => format(units.angle === "rad" ? (v * Math.PI) / 180 : v) + angleUnit()).join(", "),
-    );
-  const pivot = p =>
-    spherical && Array.isArray(p)
-      ? h("span", {}, point(p), h("span", { class: "sub" }, "longitude, latitude ", angles(sphereTools.place(p))))
-      : point(p);
-  /// drawn: the linkages that figure 2 can show; hover(ids, linkage): attributes of what stands for these dyads;
-  /// choose(linkage): shows it.
-  function fillTables(drawn, hover, choose) {
-    const small = (v, digits) => (isNumber(v) ? number(v, digits) : null),
-      given = (result.poses || []).map((p, i) => ({ p, name: poseName(i) }));
-    table(
-      "table-dyads",
-      "Dyads",
-      [
-        col("Dyad", d => String(d.id)),
-        col("Type", d => h("span", { title: TYPES[d.type] }, d.type)),
-        col(spherical ? "Fixed axis" : "Fixed pivot", d => pivot(d.fixed)),
-        col(spherical ? "Moving axis" : "Moving pivot", d => pivot(d.moving)),
-        col(spherical ? "Arc" : "Length or line", reach),
-        col("Residual", d => small(d.residual, 2), true),
-        col("Condition", d => small(d.condition, 3), true),
-        col("Certificate", certificate),
-        col("", d => copier(d, `dyad ${d.id}`), true),
-      ],
-      dyads,
-      d => ({ "data-dyad": d.id, ...hover([d.id]) }),
-    );
-    const link = key => col(key[0].toUpperCase() + key.slice(1), l => small(Object.fromEntries(lengths(l))[key]), true);
-    table(
-      "table-linkages",
-      spherical ? `Link arcs (${units.angle})` : "Link lengths",
-      [
-        col("Linkage", l =>
-          drawn.has(l.id)
-            ? h(
-                "button",
-                { type: "button", class: "id", title: "Show in figure 2", onclick: () => choose(l.id) },
-                String(l.id),
-              )
-            : String(l.id),
-        ),
-        col("Type", l => l.type),
-        col("Class", l => l.class || null),
-        col("Dyads", l => l.dyads.join(", ")),
-        ...["ground", "input", "coupler", "output", "offset"].map(link),
-        col("Verdict", l => l.verdict || null),
-        col("Circuit of each pose", l => (l.circuit_of_pose ? l.circuit_of_pose.map(c => c ?? "–").join(" ") : null)),
-        col("", l => copier(l, `linkage ${l.id}`), true),
-      ],
-      linkages,
-      l => ({ "data-linkage": l.id, ...hover(l.dyads, l.id) }),
-    );
-    table(
-      "table-poses",
-      "Task poses",
-      [
-        col("Pose", r => r.name),
-        col("x", r => small(r.p.x), true),
-        col("y", r => small(r.p.y), true),
-        col("Angle", r => (isNumber(r.p.angle) ? number(r.p.angle, 6, angleUnit()) : null), true),
-        col("Quaternion (w, x, y, z)", r => point(r.p.quaternion_wxyz)),
-        col("Longitude, latitude, roll of the moving x axis", r =>
-          r.p.quaternion_wxyz ? angles(sphereTools.globeAngles(r.p.quaternion_wxyz)) : null,
-        ),
-        col("", r => copier(r.p, `pose ${r.name}`), true),
-      ],
-      given,
-      () => ({}),
-    );
-  }
-  const roundedUp = x => {
-    const unit = 10 ** (Math.floor(Math.log10(x)) - 1);
-    return x > 0 ? Math.ceil(x / unit) * unit : x;
-  }; // to two digits
-  function certificate(d) {
-    const c = d.certificate;
-    if (!c) return null;
-    return c.certified
-      ? h(
-          "span",
-          { class: "num", title: `within ${c.radius} of the true dyad` },
-          isNumber(c.radius) ? `proved, ±${format(roundedUp(c.radius), 2)}` : "proved",
-        )
-      : "not proved";
-  }
   function thumbnail(l) {
     // a linkage as prepared for drawing
     if (spherical) return sphereTools.thumbnail(spheres.get(l.id), t => t.pose <= 1 && t.role !== "path");
@@ -205,6 +81,7 @@ const words = (() => {
       ["Poses", isNumber(result.pose_count) ? `${result.pose_count}, ${result.geometry}` : null],
       ["Dyads", result.solutions ? dyadWords() : null],
       ["Linkages", result.linkages ? plural(linkages.length, "linkage") + (judged ? `, ${usable} usable` : "") : null],
+      ["From the curves", candidates.length ? plural(candidates.length, "linkage") : null],
       ["Units", [units.length, units.angle].filter(Boolean).join(", ")],
     ];
     $("facts").append(...rows.filter(r => r[1]).flatMap(([k, v]) => [h("dt", {}, k), h("dd", {}, v)]));
@@ -232,6 +109,7 @@ const words = (() => {
         "The moving frame in the task poses; full arrowhead: x axis, open: y axis.",
         dyads.some(planar) ? " With “dyads” ticked: every dyad in pose 1, its moving pivot in all poses." : "",
         curves.length ? " Curves: fixed pivots (solid) and moving pivots as they lie in pose 1 (dashed)." : "",
+        candidates.length ? " Press the rank of a linkage from the curves to see it here in pose 1." : "",
       );
   }
   function fillEmpty(open) {
@@ -243,7 +121,11 @@ const words = (() => {
     const [head, why] = linkages.length
       ? ["No drawing of these linkages", `The ${result.geometry || ""} linkages are listed below.`]
       : family
-        ? ["Infinitely many linkages", "Give fixed or moving pivots, or more poses, to single some out."]
+        ? [
+            "Infinitely many linkages",
+            (candidates.length ? "The best found from the curves are listed below. " : "") +
+              "Give fixed or moving pivots, or more poses, to single some out.",
+          ]
         : result.status === "degenerate"
           ? ["No single linkage", "Isolated dyads, if there are any, are listed below."]
           : dyads.length
@@ -306,5 +188,5 @@ const words = (() => {
       info.verdict ? ` ${info.verdict}.` : "",
     ];
   }
-  return { fillHead, fillEmpty, fillTables, card, motionNote, whereText, caption };
+  return { fillHead, fillEmpty, card, motionNote, whereText, caption };
 })();

@@ -125,6 +125,7 @@ std::string report_page(const json& result, const Drawing& drawing) {
   fill(page, "/*BURMESTER_REPORT_JS*/", page_report_js);
   fill(page, "/*BURMESTER_PLANE_JS*/", page_plane_js);
   fill(page, "/*BURMESTER_SPHERE_JS*/", page_sphere_js);
+  fill(page, "/*BURMESTER_TABLES_JS*/", page_tables_js);
   fill(page, "/*BURMESTER_WORDS_JS*/", page_words_js);
   fill(page, "/*BURMESTER_JS*/", page_js);
   fill(page, "/*BURMESTER_DATA*/",

@@ -1,4 +1,5 @@
 """report.html in a browser: it sets itself up without an error and has a card for each linkage."""
+import json
 import os
 import re
 import shutil
@@ -71,6 +72,46 @@ class ReportPage(ProgramTest):
                 self.assertIn(part, pictures[-1])
             self.assertNotIn("NaN", pictures[-1])
         self.assertNotEqual(*pictures)
+
+    def check_poses(self, *poses, geometry="planar"):
+        return self.check("-", text=json.dumps({"geometry": geometry, "poses": poses}))
+
+    def test_families(self):
+        """The tables of a family, row by row, and its best four-bar drawn in figure 1 among its curves."""
+        def rows(elements, table):
+            part = re.search(f'<div id="table-{table}"><h3>(.*?)</table>', elements, re.S)
+            return len(re.findall("<tr[ >]", part.group(1))) - 1 if part else 0
+
+        line = [{"x": i, "y": 0.5 * i, "angle": 10 * i * i} for i in range(4)]
+        turns = [{"axis": axis, "angle": 25 * (i + 1)} for i, axis in enumerate([[0, 0, 1], [0, 3, 10], [5, 3, 9]])]
+        for geometry, poses, poles in (("planar", line[:2], 1), ("planar", line[:3], 3), ("spherical", turns, 3)):
+            with self.subTest(geometry=geometry, poses=len(poses)):
+                elements, result = self.check_poses(*poses, geometry=geometry)
+                self.assertGreater(len(result["samples"]), 12)
+                self.assertEqual([rows(elements, t) for t in ("poles", "samples", "candidates")], [poles, 12, 0])
+                self.assertIn(f'Samples: 12 of {len(result["samples"])} in all', elements)
+        elements, result = self.check_poses(*line)
+        self.assertGreater(len(result["candidates"]), 0)
+        self.assertEqual([rows(elements, t) for t in ("poles", "samples", "candidates")],
+                         [0, 0, len(result["candidates"])])
+        table = re.search(r'<div id="table-candidates">.*?</table>', elements, re.S).group()
+        for candidate in result["candidates"]:
+            for length in (*candidate["links"].values(), candidate["link_ratio"]):
+                self.assertIn(f'title="{length!r}"', table)
+        self.assertNotIn('class="coupler"', re.search(r'<svg id="svg-poses".*?</svg>', elements, re.S).group())
+        page = os.path.join(self.folder, "report.html")
+        with open(page) as file:
+            text = file.read()
+        with open(page, "w") as file:
+            file.write(text.replace("</body>", '<script>document.querySelector("#table-candidates button.id").click();'
+                                               "</script></body>"))
+        elements, console = self.open(page)
+        self.assertEqual(console, [])
+        figure = re.search(r'<svg id="svg-poses".*?</svg>', elements, re.S).group()
+        for part in ("coupler", "dyad", "curve-fixed", "curve-moving"):
+            self.assertIn(f'class="{part}"', figure)
+        self.assertNotIn("NaN", figure)
+        self.assertRegex(elements, r'<tr data-candidate="1" class="chosen">')
 
     def test_nothing_to_show(self):
         self.check(example("mech576_five_poses"), "--types", "PP")
