@@ -50,8 +50,8 @@ Point1<Interval> line_at(const BranchForms<Interval>& f, const Interval& s) {
 }
 Moving moving(const Interval& value, const Interval& slope) { return {value, Vector<Interval, 1>(slope)}; }
 
-/// u(s) and 1 - s^2, both over |u_k(s)|, the larger one. Where u hardly turns, as between two roots that lie close, this
-/// tells so: the slope of the quotient is (u0 u1' - u1 u0') / u_k^2.
+/// u(s) and 1 - s^2, both over |u_k(s)|, the larger one. Where u hardly turns, as between two roots that lie close,
+/// this tells so: the slope of the quotient is (u0 u1' - u1 u0') / u_k^2.
 struct MovingLine {
   MovingLine(const BranchForms<Interval>& f, const Part& part) {
     const Interval &s = part.over, turn = quadratic(f.turn[0], f.turn[1], f.turn[2], s),

@@ -5,9 +5,9 @@
 //     X(u) = (-B +- S sqrt(G)) P + 2 A q(u) = 2 C P - (B +- S sqrt(G)) q(u),     q(u) = u0 Qi + u1 Qj,
 // are the two points on the line u. Between two neighbouring roots a, b of G with G > 0 between them,
 //     u(s) = (1 - s)^2 a + (1 + s)^2 b,   sqrt(G) = (1 - s^2) sqrt(H(u)),   -1 <= s <= 1,
-// so that both sheets together are one closed branch, smooth where they meet, through nodes and cusps too. Where G has no
-// real root u runs once round the line. Which of these there are, and the multiplicities of the roots of D, decide the
-// topology (docs/curves.md has the cases).
+// so that both sheets together are one closed branch, smooth where they meet, through nodes and cusps too. Where G has
+// no real root u runs once round the line. Which of these there are, and the multiplicities of the roots of D, decide
+// the topology (docs/curves.md has the cases).
 #pragma once
 
 #include <optional>

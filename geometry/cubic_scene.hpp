@@ -1,5 +1,5 @@
-// What the branches and the topology of a cubic depend on, collected from intervals or from rationals. Not for inclusion
-// by users: cubic_branches.hpp is.
+// What the branches and the topology of a cubic depend on, collected from intervals or from rationals. Not for
+// inclusion by users: cubic_branches.hpp is.
 #pragma once
 
 #include <algorithm>

@@ -7,8 +7,8 @@
 // - A conic without real lines is a pair of complex conjugate ones (found like lines), or what rational lines leave of
 //   a cubic, or has two asymptotes of F for its own and the same next term: a candidate for each two points
 //   at infinity. If its coefficients are rational they are multiples of 1 / F(0, 1, 0) (C. F. Gauss), and
-//   exact division decides. The roots stand in proved boxes; where these leave room for two multiples of 1 / F(0, 1, 0),
-//   which takes numerators of some 100 digits, the answer says that a conic may be missing.
+//   exact division decides. The roots stand in proved boxes; where these leave room for two multiples of
+//   1 / F(0, 1, 0), which takes numerators of some 100 digits, the answer says that a conic may be missing.
 // So all conics of curves of degree up to 3 are found, all pairs of lines, and of quartics to sextics the rational
 // conics; not x^2 - z^2 = sqrt(2) y^2 and its conjugate.
 #pragma once

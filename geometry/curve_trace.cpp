@@ -13,18 +13,11 @@
 namespace burmester {
 namespace {
 
-using namespace detail;  // the charts
-constexpr int first_chords = 8, deep = 20, deepest = 200;
+using namespace detail;  // the charts and their samples
+constexpr int first_chords = 8;
+constexpr int deep = 20, deepest = 200;    // halvings: from where doubles may fail to tell points apart, and a guard
 constexpr double told = 0x1p-10;           // well below half a chord, which a point that is to lie elsewhere must miss
 constexpr double short_passage = 0x1p-12;  // from here on boxes are tried where tubes fail; a matter of speed only
-
-/// A point of the curve and its partner, as each chart shows them.
-struct Sample {
-  std::array<TubePoint, 2> track;
-  bool valid = true;                  ///< not so where a point has no single partner
-  bool inside = false, near = false;  ///< of the window; of the window with its margin
-  int end = -1;                       ///< number of the end of first chords that it is
-};
 
 template <class Chart>
 class Tracer {
@@ -219,10 +212,10 @@ class Tracer {
     return chart_.extent(partners_about(*partner_, x.track[1].at, p), x.track[1].at, y.track[1].at);
   }
 
-  /// Whether doubles tell where on the curves x is: not so very near a point that has a line of partners.
+  /// Whether doubles tell where on the curves x is: not so beside a point that has a line of partners.
   bool tells(const Sample& x, double s, int sheet) const {
     for (std::size_t k = 0; x.near && k < tracks_; ++k)
-      if (!(extent_of_box(k, x, x, s, s, sheet) <= options_.tolerance / 3)) return false;
+      if (!(extent_of_box(k, x, x, s, s, sheet) <= 0x1p-10 * options_.tolerance)) return false;
     return true;
   }
 
@@ -249,8 +242,8 @@ class Tracer {
     merge_or_append(x, y, chord);
   }
 
-  /// Chords with tubes, one after the other, follow one part of the curve. It is this branch if one point of it is proved
-  /// to be. A box holds the branch itself, and ends the run.
+  /// Chords with tubes, one after the other, follow one part of the curve. It is this branch if one point of it is
+  /// proved to be. A box holds the branch itself, and ends the run.
   void continue_run(std::size_t k, const Sample& x, const Sample& y, const Chord& chord, double from, int sheet) {
     Run& run = runs_[k];
     if (!std::isfinite(chord.width[k])) {
@@ -261,8 +254,8 @@ class Tracer {
     }
   }
 
-  /// Near singular points chords are far shorter than the tolerance. Those that lie in a disc about the beginning x of the
-  /// first become one: the curve is within their largest error of them, and they are within the disc's radius of x.
+  /// Near singular points chords are far shorter than the tolerance. Those that lie in a disc about the beginning x of
+  /// the first become one: the curve is within their largest error of them, and they are within the disc's radius of x.
   void merge_or_append(const Sample& x, const Sample& y, const Chord& chord) {
     CurvePiece& piece = pieces_.back();
     double error = chord.error;
@@ -301,8 +294,11 @@ class Tracer {
   /// Where a part cannot be proved. What was proved beside it is not shown if it is smaller than the tolerance.
   void give_up() {
     complete_ = false;
-    if (connected_ && pieces_.back().points.size() == 2 && merged_.open && merged_.reach <= options_.tolerance)
-      interrupt();
+    const auto tiny = [&](const std::vector<Point>& all) {
+      return std::ranges::all_of(all, [&](const Point& p) { return (p - all[0]).norm() <= options_.tolerance; });
+    };
+    if (connected_) unproved_ = unproved_ || (tiny(pieces_.back().points) && tiny(pieces_.back().partners));
+    interrupt();
   }
   void interrupt() {
     end_piece();
@@ -340,7 +336,8 @@ class Tracer {
     pieces_.erase(pieces_.begin());
   }
 
-  /// Appends what follows `first` to what ends at `last`: the same, or on the sphere the opposite, as may be its partner.
+  /// Appends what follows `first` to what ends at `last`: the same, or on the sphere the opposite, as may be its
+  /// partner.
   static void go_on(CurvePiece& piece, const CurvePiece& next, const Sample& first, const Sample& last) {
     const auto append = [](std::vector<Point>& to, const std::vector<Point>& from, const TubePoint& a,
                            const TubePoint& b) {

@@ -109,8 +109,8 @@ inline std::optional<Tube> tube(const TubeCurve& curve, const TubePoint& x, cons
   return Tube{f / g * safe, r};
 }
 
-/// Whether a point within `uncertainty` |z| of z, or of -z, may lie over the chord and within the radius of it; roundings
-/// of the order of 1e-9 are allowed for.
+/// Whether a point within `uncertainty` |z| of z, or of -z, may lie over the chord and within the radius of it;
+/// roundings of the order of 1e-9 are allowed for.
 inline bool over_chord(const TubePoint& x, const TubePoint& y, const Vector<double, 3>& n, double radius,
                        const Point2<double>& z, double uncertainty = 0) {
   // z is lambda (m + t d + s n) times the volume m . (d x n)

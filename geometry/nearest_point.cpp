@@ -46,6 +46,11 @@ double nearest_share(Surface surface, const Point2<double>& a, const Point2<doub
   return std::clamp(0.5 + along / ahead * middle.squaredNorm() / d.squaredNorm(), 0.0, 1.0);
 }
 
+/// |c - q| - |q|, which tells near points apart when q is far away.
+double farther_than_origin(const Point2<double>& c, const Point2<double>& q) {
+  return c.dot(c - 2 * q) / ((c - q).norm() + q.norm());
+}
+
 /// The nearest place of each chord of a piece, or of the opposite piece.
 std::vector<Place> places_of(Surface surface, const CurvePiece& piece, int sign, const Point2<double>& q) {
   std::vector<Place> out;
@@ -54,7 +59,7 @@ std::vector<Place> places_of(Surface surface, const CurvePiece& piece, int sign,
     const Point2<double> a = sign * piece.points[(k + n - 1) % n], b = sign * piece.points[k];
     const double t = nearest_share(surface, a, b, q);
     const Point2<double> at = onto(surface, a + t * (b - a));
-    out.push_back({at, (at - q).norm(), !piece.closed && ((k == 1 && t == 0) || (k + 1 == n && t == 1))});
+    out.push_back({at, farther_than_origin(at, q), !piece.closed && ((k == 1 && t == 0) || (k + 1 == n && t == 1))});
   }
   return out;
 }
@@ -121,6 +126,15 @@ std::optional<Point2<double>> stationary(Surface surface, const Cubic<double>& f
   return projected(surface, f, c);
 }
 
+/// Whether the curve passes c within a few roundings, more generously than doubles need.
+bool is_on(const Cubic<Rational>& f, double f_bound, const Point2<double>& c) {
+  const Point2<Rational> exact = c.cast<Rational>();
+  const Vector<Rational, 3> gradient = f.gradient(exact);
+  const Point2<double> slope(approximate(gradient[0]), approximate(gradient[1]), approximate(gradient[2]));
+  const double off = 0x1p-36 * c.norm(), bend = f_bound * c.norm();
+  return std::abs(approximate(f(exact))) <= off * (slope.norm() + bend * off);
+}
+
 }  // namespace
 
 std::optional<NearestPoint> nearest_point(Surface surface, const Cubic<Rational>& exact,
@@ -128,11 +142,13 @@ std::optional<NearestPoint> nearest_point(Surface surface, const Cubic<Rational>
   Cubic<double> f;
   for (std::size_t k = 0; k < f.c.size(); ++k) f.c[k] = approximate(exact.c[k]);
   std::optional<NearestPoint> best;
-  const auto distance = [&](const Point2<double>& c) { return (c - q).norm(); };
+  const auto distance = [&](const Point2<double>& c) { return farther_than_origin(c, q); };
   for (const Place& place : starts(surface, pieces, q)) {
     Point2<double> c = projected(surface, f, place.at);
     // where both are the same point, rounding does not choose the less accurate one
-    if (const auto s = stationary(surface, f, q, place.at); s && distance(*s) <= distance(c) * (1 + 0x1p-40)) c = *s;
+    if (const auto s = stationary(surface, f, q, place.at); s && distance(*s) <= distance(c) + 0x1p-40 * c.norm())
+      c = *s;
+    if (!is_on(exact, f.gradient_bound(), c)) continue;
     if (!best || distance(c) < distance(best->at)) best = {c, place.end};
   }
   if (best) best->at = projected(surface, exact, best->at);

@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "burmester/geometry/enclosure.hpp"
+
 namespace burmester {
 namespace {
 
@@ -53,22 +55,55 @@ CubicBranches branches_by_rationals(const ThreeCorrelations<Rational>& n, const 
   return none;
 }
 
-CubicBranches branches_of(const DecidingCorrelations& correlations) {
-  const UpwardRounding upward;
-  const auto n = correlations.intervals();
-  const auto order = order_of_bases(n);
-  if (auto branches = branches_by_intervals(n, order)) return std::move(*branches);
-  return branches_by_rationals(correlations.rationals(), order);
+/// Coefficients (k, j), j < k: N_k less their sum of the N_j before it is orthogonal to these. Nothing where that
+/// leaves a thousandth of each N or more. Two pairs of close positions make two of the N nearly multiples of each other, and
+/// their common points and partners cancel.
+std::optional<Matrix<double, 3, 3>> dependence(const ThreeCorrelations<Interval>& enclosing) {
+  ThreeCorrelations<double> n;
+  Matrix<double, 3, 3> out = Matrix<double, 3, 3>::Zero();
+  bool some = false;
+  for (int k = 0; k < 3; ++k) {
+    auto& left = n[static_cast<std::size_t>(k)];
+    left = enclosing[static_cast<std::size_t>(k)].unaryExpr([](const Interval& x) { return approximate(x); });
+    const double size = left.norm();
+    for (int j = 0; j < k; ++j) {
+      const auto& other = n[static_cast<std::size_t>(j)];
+      if (!(other.squaredNorm() > 0)) return std::nullopt;
+      out(k, j) = left.cwiseProduct(other).sum() / other.squaredNorm();
+      left -= out(k, j) * other;
+    }
+    some = some || left.norm() < 0x1p-10 * size;
+  }
+  return some && out.allFinite() ? std::optional(out) : std::nullopt;
+}
+
+/// The same points and partners: N_k less those multiples, computed exactly, and brought to size 1.
+ThreeCorrelations<Interval> independent(ThreeCorrelations<Rational> n, const Matrix<double, 3, 3>& dependence) {
+  for (int k = 0; k < 3; ++k)
+    for (int j = 0; j < k; ++j)
+      n[static_cast<std::size_t>(k)] -= Rational(dependence(k, j)) * n[static_cast<std::size_t>(j)];
+  ThreeCorrelations<Interval> out;
+  for (std::size_t k = 0; k < 3; ++k) {
+    double size = 0;
+    for (int i = 0; i < 9; ++i) size = std::max(size, std::abs(approximate(n[k](i))));
+    const Rational scale(size > 0 ? 1 / power_of_two_below(size) : 1);
+    for (int i = 0; i < 9; ++i) out[k](i) = enclosure(Rational(scale * n[k](i)));
+  }
+  return out;
 }
 
 }  // namespace
 
 PairedCurves paired_curves(const DecidingCorrelations& correlations, TraceCurve trace, const TraceOptions& options) {
-  const CubicBranches branches = branches_of(correlations);
+  const UpwardRounding upward;
+  auto n = correlations.intervals();
+  const auto order = order_of_bases(n);
+  const auto nearly = dependence(n);
+  auto found = nearly ? std::nullopt : branches_by_intervals(n, order);
+  const CubicBranches branches = found ? std::move(*found) : branches_by_rationals(correlations.rationals(), order);
   PairedCurves out{branches.topology, {}};
   if (branches.topology.rung == Rung::none) return out;
-  const UpwardRounding upward;
-  const auto n = correlations.intervals();
+  if (nearly) n = independent(correlations.rationals(), *nearly);
   out.traced = trace(branches, tube_curve(points_with_partner(n)), partner_curve(n), options);
   return out;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -15,6 +16,14 @@ namespace burmester::detail {
 using Point = Point2<double>;
 using Box = Point2<Interval>;
 inline constexpr double margin = 1.02;  ///< how far outside the window the last point of a piece may be
+
+/// A point of the curve and its partner, as each chart shows them.
+struct Sample {
+  std::array<TubePoint, 2> track;
+  bool valid = true;                  ///< not so where a point has no single partner
+  bool inside = false, near = false;  ///< of the window; of the window with its margin
+  int end = -1;                       ///< number of the end of first chords that it is
+};
 
 /// Largest angle between an axis of the box and two unit vectors, where it is below about 0.9 rad; infinite where the
 /// box does not tell.

@@ -26,8 +26,8 @@ struct PivotWindow {
 };
 
 struct CurveLinkageOptions {
-  /// Where fixed pivots (in S) and moving pivots (in E) may be. None: within two `unit` task sizes, along x and y, of the
-  /// centroid of the pose origins; moving pivots as they lie in pose 1.
+  /// Where fixed pivots (in S) and moving pivots (in E) may be. None: within two `unit` task sizes, along x and y, of
+  /// the centroid of the pose origins; moving pivots as they lie in pose 1.
   std::optional<PivotWindow> fixed = {}, moving = {};
   double largest_ratio = 10;              ///< longest to shortest link
   std::vector<std::string> classes = {};  ///< wanted, by the names of four_bar_class; none: all
@@ -44,8 +44,8 @@ struct CurveLinkage {
   bool one_branch = false;  ///< 1. of the order
 };
 
-/// `curves`: of four_pose_curves for the same poses. Empty where no pair is as wanted. Some 200 dyads are tried at most;
-/// where there would be more the spacing grows.
+/// `curves`: of four_pose_curves for the same poses. Empty where no pair is as wanted. Some 200 dyads are tried at
+/// most; where there would be more the spacing grows.
 std::vector<CurveLinkage> linkages_from_curves(FourPoses poses, std::span<const CurveRecord> curves,
                                                const CurveLinkageOptions& options = {});
 /// The same for results.

@@ -45,7 +45,8 @@ void add_searched(const Problem& problem, std::span<const Pose> poses, PlanarRep
       if (poses.size() < D::parameters)
         throw NotAvailable(fmt::format("{} dyads for fewer than {} poses", D::name, D::parameters));
       const auto found = search<D>(poses);
-      for (const auto& f : found) report.dyads.push_back({f.design, f.residual, condition<D>(f.design, poses), {}, {}, {}});
+      for (const auto& f : found)
+        report.dyads.push_back({f.design, f.residual, condition<D>(f.design, poses), {}, {}, {}});
       report.warnings.push_back(
           fmt::format("{} dyads were found by search: {} of them, there may be more", D::name, found.size()));
       if (!found.empty() && report.status == Status::none)
@@ -150,15 +151,23 @@ class PlanarModule final : public Module {
   }
   std::vector<std::pair<std::string, double>> show_pose(const PoseData& data, const Units& units) const override {
     const double angle = angle_of(pose_of(data)), shown = units.degrees ? angle * 180 / std::numbers::pi : angle;
-    return {{"x", data[0]}, {"y", data[1]}, {"angle", std::strtod(fmt::format("{:.15g}", shown).c_str(), nullptr)}};  // 9.58, as it was typed
+    return {{"x", data[0]},
+            {"y", data[1]},
+            {"angle", std::strtod(fmt::format("{:.15g}", shown).c_str(), nullptr)}};  // 9.58, as it was typed
   }
   double task_size(const Problem& problem) const override { return planar::task_size(poses_of(problem)); }
 
   Synthesis synthesize(const Problem& problem) const override {
     const std::vector<Pose> poses = poses_of(problem);
     const PlanarReport report = solve(problem, poses);
-    Synthesis answer{report.status,       report.message, report.counts, records_of(report),
-                     linkages_of(report.dyads, planar::task_size(poses)), report.warnings, report.curves, report.family};
+    Synthesis answer{report.status,
+                     report.message,
+                     report.counts,
+                     records_of(report),
+                     linkages_of(report.dyads, planar::task_size(poses)),
+                     report.warnings,
+                     report.curves,
+                     report.family};
     if (poses.size() == 4 && problem.fixed.empty() && problem.moving.empty())
       add_candidates(problem, std::span(poses).first<4>(), answer);
     return answer;

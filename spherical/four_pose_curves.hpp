@@ -25,8 +25,8 @@ struct CurveOptions {
   double longest = 0.1;     ///< longest chord
 };
 
-/// Unit vectors. Each branch is one closed piece; one that runs through opposite directions shows both.
-/// Precondition: finite numbers, no quaternion zero.
+/// Unit vectors. Each branch is one closed piece where all of it is proved; one that runs through opposite directions
+/// shows both. Precondition: finite numbers, no quaternion zero.
 FourPoseCurves four_pose_curves(FourPoses poses, const CurveOptions& options = {});
 
 struct FourPoseSolver {

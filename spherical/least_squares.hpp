@@ -1,13 +1,14 @@
 // More orientations than a dyad can meet: the dyads, and the slider, that come nearest to them.
 //
-// Sought are the local minima of the sum of squares of the angular errors arc - angle(b, Q_j a), each times the weight of
-// its orientation. Starts come from two sides: the rows of the lifted equations (family.hpp), whose singular vectors are
-// decoded to dyads, and a scan. For a given moving axis a the places Q_j a are points of the sphere, and the plane that
-// fits them best (through the centre for a slider) gives the fixed axis b and the arc; so what is left is a function of a
-// alone, and its local minima on a grid of the half sphere are starts. Each start is refined by damped Gauss-Newton steps
-// on the angular errors themselves (modules/framework/search.hpp). Weights over 100 to 1 make starts of the fits with equal
-// ones, too. Only the ratios of weights matter, up to largest_weight_ratio. The slider by the smallest singular vectors alone is
-// what J. Angeles, S. Bai, "A robust solution of the spherical Burmester problem", print for their example 2.
+// Sought are the local minima of the sum of squares of the angular errors arc - angle(b, Q_j a), each times the weight
+// of its orientation. Starts come from two sides: the rows of the lifted equations (family.hpp), whose singular vectors
+// are decoded to dyads, and a scan. For a given moving axis a the places Q_j a are points of the sphere, and the plane
+// that fits them best (through the centre for a slider) gives the fixed axis b and the arc; so what is left is a
+// function of a alone, and its local minima on a grid of the half sphere are starts. Each start is refined by damped
+// Gauss-Newton steps on the angular errors themselves (modules/framework/search.hpp). Weights over 100 to 1 make starts
+// of the fits with equal ones, too. Only the ratios of weights matter, up to largest_weight_ratio. The slider by the
+// smallest singular vectors alone is what J. Angeles, S. Bai, "A robust solution of the spherical Burmester problem",
+// print for their example 2.
 #pragma once
 
 #include <optional>

@@ -105,7 +105,7 @@ NearestDyads<typename Task::Pivots::Dyads> dyads_near(const Task& task, const st
     const auto warn = [&](const std::string& words) { out.warnings.push_back(fmt::format("near[{}]: {}", k, words)); };
     const auto nearest = nearest_point(Task::surface, f, pieces, task.seen(near[k]));
     if (!nearest) {
-      warn("no curve is listed; no dyad");
+      warn(pieces.empty() ? "no curve is listed; no dyad" : "no point of the curve is found near; no dyad");
       continue;
     }
     const Point2<double>& c = nearest->at;

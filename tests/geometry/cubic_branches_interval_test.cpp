@@ -86,7 +86,8 @@ TEST(CubicBranches, IntervalsSettleRandomCubics) {
 }
 
 TEST(CubicBranches, SameTopologyFromEveryPointOfTheCurve) {
-  // Weierstrass cubics with many rational points: y^2 = (x - a) (x - b) (x - c) has (a, 0), (b, 0), (c, 0) and (0 : 1 : 0).
+  // Weierstrass cubics with many rational points: y^2 = (x - a) (x - b) (x - c) has (a, 0), (b, 0), (c, 0) and (0 : 1 :
+  // 0).
   Random random("CubicBranches.SameTopologyFromEveryPointOfTheCurve");
   for (int k = 0; k < 100; ++k) {
     const double a = random.below(9), b = a + random.below(4), c = b + random.below(4);

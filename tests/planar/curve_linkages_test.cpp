@@ -1,4 +1,5 @@
-// Ranked four-bars from pairs of points of the curves: they keep what was asked for, and are as good as they are said to be.
+// Ranked four-bars from pairs of points of the curves: they keep what was asked for, and are as good as they are said
+// to be.
 #include "burmester/planar/curve_linkages.hpp"
 
 #include <gtest/gtest.h>
@@ -25,8 +26,8 @@ std::string class_of(const CurveLinkage& l) {
                         (l.first.moving - l.second.moving).norm(), l.second.length, 1e-12);
 }
 
-/// By trying: whether the driver's angles in the poses lie on one arc of angles at which the linkage closes, and the other
-/// two links meet on one side. Angles are tried at 4000 places, limits hit more finely are not seen.
+/// By trying: whether the driver's angles in the poses lie on one arc of angles at which the linkage closes, and the
+/// other two links meet on one side. Angles are tried at 4000 places, limits hit more finely are not seen.
 bool passes(const FourPoseTask& task, const RR::Design& driver, const RR::Design& driven) {
   const double coupler = (driver.moving - driven.moving).norm();
   const auto closes = [&](double angle) {

@@ -1,5 +1,5 @@
-// The curves of four poses: every pair of points meets the poses, nothing is missed, and what other solvers find lies on
-// them.
+// The curves of four poses: every pair of points meets the poses, nothing is missed, and what other solvers find lies
+// on them.
 #include "burmester/planar/four_pose_curves.hpp"
 
 #include <gtest/gtest.h>
@@ -166,9 +166,9 @@ TEST(FourPoseCurves, SlidersMeetThePosesAndSwapUnderInversion) {
   }
 }
 
-/// Two sets of four positions, computed by the dyad form (compatibility linkage, position analysis) in 15 digits: pairs of
-/// circle and centre point, the six poles, the sliders. Where the compatibility linkage turns fully its two modes are the
-/// two components of the curve.
+/// Two sets of four positions, computed by the dyad form (compatibility linkage, position analysis) in 15 digits: pairs
+/// of circle and centre point, the six poles, the sliders. Where the compatibility linkage turns fully its two modes
+/// are the two components of the curve.
 struct Published {
   std::array<std::array<double, 3>, 4> poses;
   int components;
@@ -239,7 +239,8 @@ TEST(FourPoseCurves, DegeneratePosesAreNamed) {
   }
 }
 
-/// Sets with a special position of the poles that still have curves: what splits off, and that the pairs meet the poses.
+/// Sets with a special position of the poles that still have curves: what splits off, and that the pairs meet the
+/// poses.
 TEST(FourPoseCurves, SpecialPosesAreStillAFamily) {
   struct Case {
     const char* name;

@@ -1,4 +1,5 @@
-// Four symmetric poses: their curves split into a line and a circle, or would but for rounding, and are whole all the same.
+// Four symmetric poses: their curves split into a line and a circle, or would but for rounding, and are whole all the
+// same.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -264,10 +264,10 @@ TEST(SphericalLeastSquares, DegenerateOrientationsAreNamed) {
 }
 
 /// Example 2 of J. Angeles, S. Bai, "A robust solution of the spherical Burmester problem", from the printed axes and
-/// angles. Its row 4 is the slider; the columns of that table are exchanged: what it heads a0* is the fixed axis, as the
-/// arcs show (with the printed roles they vary by tens of degrees). It is printed in four digits, truncated:
-/// (0.0655, 0.1015, 0.9926) and (0.5221, 0.8442, -0.1208); 15 digits are the smallest singular vectors of the attitudes'
-/// 5 x 3 matrix H. Those minimise the sines of the errors, we the errors: they differ by less than 1e-9.
+/// angles. Its row 4 is the slider; the columns of that table are exchanged: what it heads a0* is the fixed axis, as
+/// the arcs show (with the printed roles they vary by tens of degrees). It is printed in four digits, truncated:
+/// (0.0655, 0.1015, 0.9926) and (0.5221, 0.8442, -0.1208); 15 digits are the smallest singular vectors of the
+/// attitudes' 5 x 3 matrix H. Those minimise the sines of the errors, we the errors: they differ by less than 1e-9.
 TEST(SphericalLeastSquares, TheBestSliderOfExampleTwo) {
   const std::vector<Pose> poses{Pose{}, about({-0.2280, -0.4553, -0.8606}, 0.2563),
                                 about({-0.0578, 0.2370, -0.9697}, 1.1307), about({0.5049, 0.8505, -0.1468}, 1.1938),

@@ -1,4 +1,5 @@
-// The plates of four poses show what they say: poles on the centre-point curve, a linkage with its pivots on the curves.
+// The plates of four poses show what they say: poles on the centre-point curve, a linkage with its pivots on the
+// curves.
 #include "burmester/planar/drawing/curve_plates.hpp"
 
 #include <gtest/gtest.h>
