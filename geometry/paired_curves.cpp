@@ -56,8 +56,8 @@ CubicBranches branches_by_rationals(const ThreeCorrelations<Rational>& n, const 
 }
 
 /// Coefficients (k, j), j < k: N_k less their sum of the N_j before it is orthogonal to these. Nothing where that
-/// leaves a thousandth of each N or more. Two pairs of close positions make two of the N nearly multiples of each other, and
-/// their common points and partners cancel.
+/// leaves a thousandth of each N or more. Two pairs of close positions make two of the N nearly multiples of each
+/// other, and their common points and partners cancel.
 std::optional<Matrix<double, 3, 3>> dependence(const ThreeCorrelations<Interval>& enclosing) {
   ThreeCorrelations<double> n;
   Matrix<double, 3, 3> out = Matrix<double, 3, 3>::Zero();
