@@ -149,7 +149,7 @@ class Tracer {
       const Reference* other = elsewhere(x, y, k);
       const auto proved = n && other ? tube(form(k), a, b, *n) : std::nullopt;
       if (!proved) {
-        if (!(length < options_.tolerance)) return {};
+        if (!((b.at - a.at).norm() < options_.tolerance)) return {};
         const double extent = extent_of_box(k, x, y, from, to, sheet);
         if (!(extent <= options_.tolerance)) return {};  // also where it is not a number
         error = std::max(error, extent);
