@@ -129,8 +129,11 @@ Drawing draw_synthesis(const Problem& problem, const Synthesis& answer) {
     const auto a = dyad_of(answer, linkage.dyads[0]), b = dyad_of(answer, linkage.dyads[1]);
     if (a && b) add_linkage(out, linkage.id, {*a, *b}, poses);
   }
-  if (poses.size() == 4)
-    out.plates = four_pose_plates(std::span(poses).first<4>(), answer.curves, answer.candidates);
+  if (poses.size() == 4) {
+    const std::vector<CandidateRecord> none;
+    out.plates = four_pose_plates(std::span(poses).first<4>(), answer.curves,
+                                  answer.candidates ? *answer.candidates : none);
+  }
   if (poses.size() == 3)
     for (std::size_t k = 0; k < problem.fixed.size(); ++k)
       add_constructions(out, poses, problem.fixed[k], answer, static_cast<int>(k) + 1);

@@ -113,6 +113,7 @@ void add_candidates(const Problem& problem, FourPoses poses, Synthesis& answer) 
     if (problem.linkages) answer.warnings.push_back("linkages: RR dyads are not asked for; ignored");
     return;
   }
+  std::vector<CandidateRecord>& found = answer.candidates.emplace();
   if (answer.curves.empty()) {
     if (problem.linkages) answer.warnings.push_back(no_linkage);
     return;
@@ -124,15 +125,15 @@ void add_candidates(const Problem& problem, FourPoses poses, Synthesis& answer) 
     std::vector<CurveRecord> curves = answer.curves;
     if (curves_are_far(poses, options.unit))
       std::ranges::move(curves_near_poses(poses, options.unit), std::back_inserter(curves));
-    answer.candidates = candidates_of(poses, curves, options);
-    if (boxed || answer.candidates.size() >= options.wanted || options.unit >= last) break;
+    found = candidates_of(poses, curves, options);
+    if (boxed || found.size() >= options.wanted || options.unit >= last) break;
   }
-  if (answer.candidates.empty())
+  if (found.empty())
     answer.warnings.push_back(problem.linkages ? no_linkage : "no two dyads of the curves as listed make a four-bar");
-  else if (problem.linkages && answer.candidates.size() < problem.linkages->most.value_or(1))
-    answer.warnings.push_back(
-        fmt::format("linkages: only {} different ones are as asked for", answer.candidates.size()));
-  if (!answer.candidates.empty() && options.unit > 1)
+  else if (found.size() < options.wanted)
+    answer.warnings.push_back(fmt::format("linkages: only {} of {} found{}", found.size(), options.wanted,
+                                          problem.linkages ? " that are as asked for" : ""));
+  if (!found.empty() && options.unit > 1)
     answer.warnings.push_back(
         fmt::format("the four-bars listed have pivots up to {:.3g} task sizes away: fewer than {} are "
                     "nearer; linkages.fixed_in and linkages.moving_in set where",

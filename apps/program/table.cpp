@@ -184,15 +184,15 @@ std::string family_text(const Problem& problem, const FamilyRecord& family, doub
 }
 
 /// Two lines each, one for each dyad.
-std::string candidate_table(const Synthesis& answer, double task_size) {
+std::string candidate_table(const std::vector<CandidateRecord>& candidates, double task_size) {
   const std::vector<Column> columns = {
       {"rank", true},  {"class"},        {"one branch"},   {"ratio", true},  {"fixed pivot"},
       {"moving pivot"}, {"length", true}, {"ground", true}, {"coupler", true}};
   return table(columns, [&](int digits) {
     const Style style{std::min(digits, 5), 1e-9 * task_size};
     std::vector<Row> rows;
-    for (std::size_t k = 0; k < answer.candidates.size(); ++k) {
-      const auto& [dyads, linkage, ratio, one_branch] = answer.candidates[k];
+    for (std::size_t k = 0; k < candidates.size(); ++k) {
+      const auto& [dyads, linkage, ratio, one_branch] = candidates[k];
       const auto of_dyad = [&](const DyadRecord& d) {
         return Row{point(d.fixed, style), point(d.moving, style), number(d.length, style.digits)};
       };
@@ -237,8 +237,9 @@ std::string answer_text(const Problem& problem, const Synthesis& answer, double 
   out += family_text(problem, answer.family, task_size);
   if (!answer.curves.empty()) out += curves_text(answer.curves);
   if (!answer.linkages.empty()) out += "\nLinkages\n" + linkage_table(problem, answer, has_arcs(answer.dyads));
-  if (!answer.candidates.empty())
-    out += "\nLinkages from pairs of points of the curves, best first\n" + candidate_table(answer, task_size);
+  if (answer.candidates && !answer.candidates->empty())
+    out += "\nLinkages from pairs of points of the curves, best first\n" +
+           candidate_table(*answer.candidates, task_size);
   return out;
 }
 

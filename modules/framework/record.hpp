@@ -131,7 +131,7 @@ struct Synthesis {
   std::vector<std::string> warnings;
   std::vector<CurveRecord> curves = {};
   FamilyRecord family = {};
-  std::vector<CandidateRecord> candidates = {};  ///< best first
+  std::optional<std::vector<CandidateRecord>> candidates = {};  ///< best first; nothing where none are looked for
 };
 
 }  // namespace burmester

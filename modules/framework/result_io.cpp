@@ -230,8 +230,11 @@ json result_document(const Module& module, const Problem& problem, const Synthes
   out["linkages"] = json::array();
   for (const LinkageRecord& linkage : answer.linkages)
     out["linkages"].push_back(linkage_of(linkage, units, arcs));
-  for (std::size_t k = 0; k < answer.candidates.size(); ++k)
-    out["candidates"].push_back(candidate_of(answer.candidates[k], k + 1, units, arcs));
+  if (answer.candidates) {
+    out["candidates"] = json::array();
+    for (const CandidateRecord& candidate : *answer.candidates)
+      out["candidates"].push_back(candidate_of(candidate, out["candidates"].size() + 1, units, arcs));
+  }
   out["warnings"] = problem.warnings;
   for (const std::string& warning : answer.warnings) out["warnings"].push_back(warning);
   if (!problem.types.empty()) out["types"] = problem.types;

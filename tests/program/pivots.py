@@ -187,8 +187,8 @@ class Pivots(ProgramTest):
                 (x, y), (u, v) = dyad["fixed"], dyad["moving"]
                 self.assertTrue(-3 <= x <= 9 and -6 <= y <= 8 and max(abs(u), abs(v)) <= 8, dyad)
         nowhere = self.answer(problem(POSES[:4], linkages={"fixed_in": [[1000, 1000], [1001, 1001]]}))
-        self.assertEqual((nowhere.get("candidates"), nowhere["warnings"]),
-                         (None, ["linkages: no two dyads of the curves as listed are as asked for"]))
+        self.assertEqual((nowhere["candidates"], nowhere["warnings"]),
+                         ([], ["linkages: no two dyads of the curves as listed are as asked for"]))
         self.assertEqual(self.answer(problem(POSES[:3], linkages=asked))["warnings"],
                          ["linkages: only four poses without given pivots leave a choice; ignored"])
         self.assertEqual(self.answer(problem(POSES[:4], linkages=asked, types=["PR"]))["warnings"],
