@@ -77,6 +77,7 @@ CurveLinkageOptions options_of(const LinkageRequest& request) {
 PlanarReport solve(const Problem& problem, std::span<const Pose> poses) {
   if (const double size = planar::task_size(poses); size < 1e-100)
     throw InputError(fmt::format("poses: expected origins that are equal or at least 1e-100 apart, got {}", size));
+  expect_pivots<Pivots>("near", problem.near);
   PlanarReport report;
   const bool given = !problem.fixed.empty() || !problem.moving.empty();
   if (given) {

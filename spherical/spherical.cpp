@@ -43,6 +43,7 @@ bool only_sliders(const Problem& problem) {
 }
 
 SphericalReport solve(const Problem& problem, std::span<const Pose> poses) {
+  expect_pivots<Pivots>("near", problem.near);
   SphericalReport report;
   if (poses.size() < 4 || !problem.fixed.empty() || !problem.moving.empty()) {
     report = solve_linear(problem, poses);

@@ -254,6 +254,14 @@ Report<typename G::Dyads> family_of_dyads(std::span<const typename G::Pose> pose
   return report;
 }
 
+/// Throws InputError for points that cannot be pivots; `name`: the key of the problem that gives them.
+template <class G>
+void expect_pivots(std::string_view name, const std::vector<std::vector<double>>& points) {
+  for (std::size_t k = 0; k < points.size(); ++k)
+    if (const char* expected = G::complaint(points[k]))
+      throw InputError(fmt::format("{}[{}]: expected {}", name, k, expected));
+}
+
 /// What a problem asks for that its other parts leave no room for. G: as for GivenPivots.
 template <class G>
 std::vector<std::string> ignored_requests(const Problem& problem) {
@@ -281,6 +289,7 @@ class GivenPivots {
   Report<Dyads> solve() {
     for (const Body body : {Body::fixed, Body::moving}) {
       const auto& pivots = body == Body::fixed ? problem_.fixed : problem_.moving;
+      expect_pivots<G>(name_of(body), pivots);
       for (auto p = pivots.begin(); p != pivots.end(); ++p)
         if (const auto same = std::find(pivots.begin(), p, *p); same != p)
           report_.warnings.push_back(fmt::format("{0}[{1}] is {0}[{2}] again: listed once", name_of(body),
@@ -297,7 +306,6 @@ class GivenPivots {
  private:
   void add(Body body, const std::vector<double>& pivot, const std::string& name) {
     ++given_;
-    if (const char* expected = G::complaint(pivot)) throw InputError(fmt::format("{}: expected {}", name, expected));
     if (poses_.size() > 3) return add_fits(body, pivot, name);
     const Partners<G, Rational> partners(body, pivot, poses_);
     if (const auto reason = undetermined<G, Rational>(body, pivot, poses_))

@@ -93,9 +93,7 @@ template <CentrePoints Task>
 NearestDyads<typename Task::Pivots::Dyads> dyads_near(const Task& task, const std::vector<CurveRecord>& curves,
                                                       const std::vector<std::vector<double>>& near, bool certify) {
   using G = typename Task::Pivots;
-  for (std::size_t k = 0; k < near.size(); ++k)
-    if (const char* expected = G::complaint(near[k]))
-      throw InputError(fmt::format("near[{}]: expected {}", k, expected));
+  expect_pivots<G>("near", near);
   const auto n = task.template correlations<double>();
   const auto exact = task.template correlations<Rational>();
   const Cubic<Rational> f = points_with_partner(exact);

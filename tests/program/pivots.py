@@ -258,5 +258,15 @@ class Pivots(ProgramTest):
             with self.subTest(text=text):
                 self.assertIn(place_of_error, self.refused("synthesize", "-", text=text))
 
+    def test_unusable_near_is_refused_for_any_number_of_poses(self):
+        for count in range(2, 7):
+            for more in ({}, {"fixed": [[1, 2]]}):
+                text = problem(POSES[:count], near=[[0, 1], [0, 1e101]], **more)
+                self.assertIn("near[1]: expected coordinates of magnitude", self.refused("synthesize", "-", text=text))
+            for more in ({}, {"moving": [[1, 2, 3]]}):
+                poses = [{"axis": [1, k, 2 * k * k], "angle": 10 * k} for k in range(count)]
+                text = problem(poses, "spherical", near=[[0, 0, 0]], **more)
+                self.assertIn("near[0]: expected an axis that is not zero", self.refused("synthesize", "-", text=text))
+
 
 main()
