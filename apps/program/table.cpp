@@ -120,7 +120,8 @@ std::string pole_table(const Problem& problem, const std::vector<PoleRecord>& po
 }
 
 std::string partners_table(const Problem& problem, const std::vector<PartnersRecord>& partners, double task_size) {
-  return table({{"fixed pivot"}, {"moving pivot"}, {"on the line"}, {"perpendicular to"}}, [&](int digits) {
+  const std::string pivot = partners[0].line ? " pivot" : " axis";
+  return table({{"fixed" + pivot}, {"moving" + pivot}, {"on the line"}, {"perpendicular to"}}, [&](int digits) {
     const Style style{digits, 1e-9 * task_size};
     std::vector<Row> rows;
     for (const PartnersRecord& p : partners)
@@ -215,9 +216,9 @@ std::string curves_text(const std::vector<CurveRecord>& curves) {
   double error = 0;
   for (const CurveRecord& curve : curves) points += curve.moving.size(), error = std::max(error, curve.max_error);
   return fmt::format(
-      "\nCurves of pivots: {} pieces, {} pairs, within {:.1g} of the true curves (-o DIR draws them, --json "
+      "\nCurves of {}: {} pieces, {} pairs, within {:.1g} of the true curves (-o DIR draws them, --json "
       "lists them)\n",
-      curves.size(), points, error);
+      curves[0].moving[0].size() == 3 ? "axes" : "pivots", curves.size(), points, error);
 }
 
 std::string task_text(const Problem& problem) {

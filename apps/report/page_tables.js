@@ -3,12 +3,14 @@ const tables = (() => {
   "use strict";
   const { $, h, isNumber, format, number, point, copy, col, table } = tools;
   const { result, poses, dyads, linkages, candidates, lengths, units, spherical, poseName, angleUnit } = report;
-  const TYPES = {
-    RR: "fixed pivot and moving pivot",
-    PR: "slider on a fixed line, moving pivot",
-    RP: "fixed pivot, slider on a moving line",
-    PP: "two sliders",
-  };
+  const TYPES = spherical
+    ? { RR: "fixed axis and moving axis", PR: "fixed axis and moving axis at right angles: a slider" }
+    : {
+        RR: "fixed pivot and moving pivot",
+        PR: "slider on a fixed line, moving pivot",
+        RP: "fixed pivot, slider on a moving line",
+        PP: "two sliders",
+      };
   const copier = (value, what) =>
     h("button", { type: "button", "aria-label": `Copy ${what} as JSON`, onclick: () => copy(value, what) }, "Copy");
   const line = l =>

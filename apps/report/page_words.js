@@ -124,7 +124,7 @@ const words = (() => {
         ? [
             "Infinitely many linkages",
             (candidates.length ? "The best found from the curves are listed below. " : "") +
-              "Give fixed or moving pivots, or more poses, to single some out.",
+              `Give fixed or moving ${spherical ? "axes" : "pivots"}, or more poses, to single some out.`,
           ]
         : result.status === "degenerate"
           ? ["No single linkage", "Isolated dyads, if there are any, are listed below."]

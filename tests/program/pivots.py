@@ -232,7 +232,11 @@ class Pivots(ProgramTest):
         self.assertAlmostEqual(math.hypot(*line["partners"][0]["normal"]), 1, delta=1e-15)
         text = self.good("synthesize", "-", text=problem(two, "spherical", fixed=[[1, 2, 3]])).stdout.decode()
         self.assertIn("\nPartners fill a great circle\n", text)
-        self.assertNotIn("fill a line", text)
+        self.assertRegex(text, r"\n  fixed axis +perpendicular to\n")
+        cone = self.good("synthesize", "-", text=problem(SPHERICAL, "spherical")).stdout.decode()
+        self.assertIn("\nCurves of axes: ", cone)
+        for words in ("fill a line", "pivot"):
+            self.assertNotIn(words, text + cone)
         self.shape(self.answer(problem(three, "spherical")), "family", 2, 0)
         document = self.answer(problem(three, "spherical", fixed=[[1, 2, 3]], moving=[[0, 1, 0]]))
         self.shape(document, "exact", 0, 2)

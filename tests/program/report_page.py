@@ -88,6 +88,7 @@ class ReportPage(ProgramTest):
             with self.subTest(geometry=geometry, poses=len(poses)):
                 elements, result = self.check_poses(*poses, geometry=geometry)
                 self.assertGreater(len(result["samples"]), 12)
+                self.assertIn("Give fixed or moving " + ("axes" if geometry == "spherical" else "pivots"), elements)
                 self.assertEqual([rows(elements, t) for t in ("poles", "samples", "candidates")], [poles, 12, 0])
                 self.assertIn(f'Samples: 12 of {len(result["samples"])} in all', elements)
         elements, result = self.check_poses(*line)
