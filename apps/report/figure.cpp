@@ -144,7 +144,7 @@ class Figure {
   Svg svg_;
 };
 
-/// One part of a construction: its line or symbol, later its label.
+/// One part of a construction: its line or symbol; the labels last.
 class ConstructionFigure {
  public:
   ConstructionFigure(const Plate& drawing, std::string_view title)
@@ -155,6 +155,7 @@ class ConstructionFigure {
          {"circle", "bisector", "chord", "arc", "link", "frame", "image", "pole", "constructed", "given"})
       for (std::size_t k = 0; k < drawing_.parts.size(); ++k)
         if (drawing_.parts[k].role == role) part(drawing_.parts[k], placed(k));
+    svg_.labels(labels_);
     svg_.scale_bar(unit);
     return svg_.finish();
   }
@@ -196,12 +197,13 @@ class ConstructionFigure {
       svg_.polyline({{x, y - 8}, {x, y + 8}}, false, stroke("stroke-width=\"2\""));
     }
     if (line.size() == 1)
-      svg_.label({line[0][0] + 10, line[0][1] - 9}, part.label,
-                 fmt::format("font-weight=\"600\" fill=\"{}\"", part.dyad > 0 ? colour : ink));
+      labels_.push_back({line[0], part.label,
+                         fmt::format("font-weight=\"600\" fill=\"{}\"", part.dyad > 0 ? colour : ink)});
   }
 
   const Plate& drawing_;
   Svg svg_;
+  std::vector<MarkLabel> labels_ = {};
 };
 
 }  // namespace

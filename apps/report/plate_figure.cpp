@@ -21,6 +21,7 @@ class Sheet {
                                         "link", "vector", "pole", "meeting", "fixed_pivot", "moving_pivot", "frame"})
       for (std::size_t k = 0; k < plate_.parts.size(); ++k)
         if (plate_.parts[k].role == role) part(plate_.parts[k], placed(plate_.lines[k]));
+    svg_.labels(labels_);
     svg_.text({14, 8}, plate_.caption, fmt::format("font-size=\"12\" fill=\"{}\"", soft_ink));
     svg_.scale_bar(unit);
     return svg_.finish();
@@ -55,9 +56,12 @@ class Sheet {
                                 "stroke-width=\"2\"",
                                 soft_ink));
     } else if (part.role == "frame" && line.size() > 2) {
-      svg_.frame(line[1], {line[0][0] - line[1][0], line[0][1] - line[1][1]},
-                 {line[2][0] - line[1][0], line[2][1] - line[1][1]}, 26,
-                 pose_colour(static_cast<std::size_t>(part.dyad)), part.label);
+      const Point2 x{line[0][0] - line[1][0], line[0][1] - line[1][1]};
+      const Point2 y{line[2][0] - line[1][0], line[2][1] - line[1][1]};
+      const std::string_view colour = pose_colour(static_cast<std::size_t>(part.dyad));
+      svg_.frame(line[1], x, y, 26, colour, "");
+      labels_.push_back({line[1], part.label, fmt::format("font-weight=\"600\" fill=\"{}\"", colour),
+                         {-x[0] - y[0], -x[1] - y[1]}});
     } else {
       mark(part, line[0]);
     }
@@ -98,7 +102,7 @@ class Sheet {
     if (part.role == "meeting")
       svg_.polyline({{p[0], p[1] - 7}, {p[0] + 7, p[1]}, {p[0], p[1] + 7}, {p[0] - 7, p[1]}}, true,
                     stroked(ink, "#fff"));
-    svg_.label({p[0] + 9, p[1] - 8}, part.label, fmt::format("fill=\"{}\"", ink));
+    labels_.push_back({p, part.label, fmt::format("fill=\"{}\"", ink)});
   }
 
   static std::string stroked(std::string_view colour, std::string_view fill) {
@@ -125,6 +129,7 @@ class Sheet {
 
   const Plate& plate_;
   Svg svg_;
+  std::vector<MarkLabel> labels_ = {};
 };
 
 }  // namespace

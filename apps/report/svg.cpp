@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -54,6 +56,39 @@ Polyline clipped(const Point2& a, const Point2& b, double width, double height) 
   return {sum(a, d, low), sum(a, d, high)};
 }
 
+/// On the sheet, in pixels.
+struct Box {
+  Point2 low, high;
+
+  bool overlaps(const Box& other) const {
+    return low[0] < other.high[0] && other.low[0] < high[0] && low[1] < other.high[1] && other.low[1] < high[1];
+  }
+};
+
+/// Room for a label: by `off` farther from the mark than a label that touches it, to the side `d`.
+Box room(const MarkLabel& label, const std::array<int, 2>& d, double off) {
+  const double w = 9.0 * static_cast<double>(label.name.size()), h = 17, gap = d[0] == 0 || d[1] == 0 ? 9 : 5;
+  const Point2 middle{label.placed[0] + d[0] * (9 + off + w / 2), label.placed[1] + d[1] * (gap + off + h / 2)};
+  return {{middle[0] - w / 2, middle[1] - h / 2}, {middle[0] + w / 2, middle[1] + h / 2}};
+}
+
+/// The free room nearest to the mark, and how far off it is; that beside the mark where there is none.
+std::pair<Box, double> free_room(const MarkLabel& label, const std::vector<Box>& taken, const Box& page) {
+  std::array<std::array<int, 2>, 8> sides{{{1, -1}, {1, 1}, {-1, -1}, {-1, 1}, {1, 0}, {-1, 0}, {0, -1}, {0, 1}}};
+  std::ranges::stable_sort(sides, std::greater<>(), [&](const auto& d) {
+    return (d[0] * label.side[0] + d[1] * label.side[1]) / std::hypot(d[0], d[1]);
+  });
+  for (double off = 0; off < page.high[0]; off += 10)
+    for (const auto& side : sides) {
+      const Box box = room(label, side, off);
+      const bool inside = box.low[0] > page.low[0] && box.low[1] > page.low[1] && box.high[0] < page.high[0] &&
+                          box.high[1] < page.high[1];
+      if (inside && std::ranges::none_of(taken, [&](const Box& other) { return box.overlaps(other); }))
+        return {box, off};
+    }
+  return {room(label, sides[0], 0), 0};
+}
+
 }  // namespace
 
 std::string_view pose_colour(std::size_t pose) {
@@ -104,11 +139,28 @@ void Svg::text(const Point2& placed, std::string_view words, std::string_view at
 }
 
 void Svg::label(const Point2& placed, std::string_view name, std::string_view attributes) {
-  const std::size_t digits = std::min(name.find_first_of("0123456789"), name.size());
+  constexpr std::string_view any = "0123456789";
+  const std::size_t digits = std::min(name.find_first_of(any, name.find_first_not_of(any)), name.size());
   body_ += fmt::format(
       "<text x=\"{}\" y=\"{}\" class=\"halo\" {}>{}<tspan dy=\"4\" font-size=\"10\">{}</tspan></text>\n",
       number(placed[0]), number(placed[1]), attributes, escaped(printable(name.substr(0, digits), 20)),
       escaped(printable(name.substr(digits), 20)));
+}
+
+void Svg::labels(const std::vector<MarkLabel>& labels) {
+  std::vector<Box> taken;
+  for (const MarkLabel& label : labels)
+    taken.push_back({sum(label.placed, {-4, -4}), sum(label.placed, {4, 4})});
+  for (const MarkLabel& l : labels) {
+    if (!inside(l.placed)) continue;
+    const auto [box, off] = free_room(l, taken, {{0, 0}, {width_, height_}});
+    taken.push_back(box);
+    if (off > 0)
+      polyline({l.placed, {std::clamp(l.placed[0], box.low[0], box.high[0]),
+                           std::clamp(l.placed[1], box.low[1], box.high[1])}},
+               false, fmt::format("stroke=\"{}\" stroke-width=\"0.7\"", soft_ink));
+    label({box.low[0], box.high[1] - 4}, l.name, l.attributes);
+  }
 }
 
 void Svg::scale_bar(std::string_view unit_name) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "burmester/modules/framework/drawing.hpp"
 
@@ -21,6 +22,13 @@ inline constexpr std::string_view ink = "#1d2126", soft_ink = "#5a626c", bar_fil
 /// xmin, ymin, xmax, ymax of all points, made a little larger; not empty even for none.
 std::array<double, 4> window_of(const std::vector<Point2>& points, double margin);
 
+/// The name of a mark on the sheet, at the mark's middle.
+struct MarkLabel {
+  Point2 placed;
+  std::string name, attributes;
+  Point2 side = {1, -1};  ///< where it is best read, a direction on the sheet
+};
+
 class Svg {
  public:
   Svg(const std::array<double, 4>& window, std::string_view title);
@@ -36,8 +44,11 @@ class Svg {
   void polyline(const Polyline& placed, bool closed, std::string_view attributes);
   void circle(const Point2& placed, double radius, std::string_view attributes);
   void text(const Point2& placed, std::string_view words, std::string_view attributes);
-  /// A0: the digits below the line.
+  /// A0: the digits below the line, but not those of a number.
   void label(const Point2& placed, std::string_view name, std::string_view attributes);
+  /// Beside their marks, as label() writes them, none over a mark or another label: farther off with a line to the mark
+  /// where there is no room.
+  void labels(const std::vector<MarkLabel>& labels);
   void scale_bar(std::string_view unit);
   void frame(const Point2& placed, const Point2& x, const Point2& y, double length, std::string_view colour,
              std::string_view label);

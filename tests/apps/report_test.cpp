@@ -3,7 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "report/figure.hpp"
 #include "report/surfaces_figure.hpp"
@@ -127,6 +130,31 @@ TEST(SurfacesFigure, ShowsBothDyadsTheCurveAndThePoses) {
   EXPECT_THAT(svg, HasSubstr(std::string("stroke=\"") + std::string(pose_colour(1))));
   EXPECT_THAT(svg, HasSubstr("<circle"));
   EXPECT_THAT(svg, Not(HasSubstr("nan")));
+}
+
+TEST(Svg, NamesOfMarksDoNotOverlapHoweverCloseTheMarksAre) {
+  for (const double apart : {0.0, 1.0, 60.0}) {
+    Svg svg({0, 0, 1, 1}, "title");
+    std::vector<MarkLabel> labels;
+    for (int k = 0; k < 12; ++k)
+      labels.push_back({{svg.width() - 8 - apart * k, 8 + apart * k / 2}, fmt::format("P{}", 10 + k), ""});
+    labels.push_back({{-8, 8}, "P99", ""});  // off the sheet
+    svg.labels(labels);
+    const std::string text = svg.finish();
+    EXPECT_THAT(text, Not(HasSubstr(">99<")));
+    EXPECT_EQ(text.find("stroke-width=\"0.7\"") != text.npos, apart < 60) << apart;  // lines to marks
+    const std::regex place("<text x=\"([^\"]+)\" y=\"([^\"]+)\" class=\"halo\" >P");
+    std::vector<Point2> found;
+    for (std::sregex_iterator it(text.begin(), text.end(), place); it != std::sregex_iterator(); ++it)
+      found.push_back({std::stod((*it)[1]), std::stod((*it)[2])});
+    ASSERT_EQ(found.size(), 12u);
+    for (std::size_t i = 0; i < 12; ++i) {
+      EXPECT_TRUE(found[i][0] > 0 && found[i][0] + 24 < svg.width() && found[i][1] > 10) << apart << " " << i;
+      for (std::size_t j = 0; j < i; ++j)
+        EXPECT_TRUE(std::abs(found[i][0] - found[j][0]) > 24 || std::abs(found[i][1] - found[j][1]) > 16)
+            << apart << " " << i << " " << j;
+    }
+  }
 }
 
 TEST(PlateFigure, DrawsItsPartsByRole) {
