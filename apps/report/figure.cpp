@@ -147,17 +147,17 @@ class Figure {
 /// One part of a construction: its line or symbol; the labels last.
 class ConstructionFigure {
  public:
-  ConstructionFigure(const Plate& drawing, std::string_view title)
-      : drawing_(drawing), svg_(drawing.window, title) {}
+  ConstructionFigure(const Plate& drawing, std::string_view title, double sheet = 800)
+      : drawing_(drawing), svg_(drawing.window, title, sheet) {}
 
-  std::string draw(const std::string& unit) {
+  Svg draw(const std::string& unit) {
     for (const std::string_view role :
          {"circle", "bisector", "chord", "arc", "link", "frame", "image", "pole", "constructed", "given"})
       for (std::size_t k = 0; k < drawing_.parts.size(); ++k)
         if (drawing_.parts[k].role == role) part(drawing_.parts[k], placed(k));
     svg_.labels(labels_);
     svg_.scale_bar(unit);
-    return svg_.finish();
+    return svg_;
   }
 
  private:
@@ -210,7 +210,12 @@ class ConstructionFigure {
 
 std::string construction_figure(const Plate& construction, const std::string& task,
                                 const std::string& unit) {
-  return ConstructionFigure(construction, titled(construction.title, task)).draw(unit);
+  const std::string title = titled(construction.title, task);
+  if (construction.panels.empty()) return ConstructionFigure(construction, title).draw(unit).finish();
+  std::vector<Svg> panels;
+  for (const Plate& panel : construction.panels)
+    panels.push_back(ConstructionFigure(panel, panel.title, 480).draw(unit));
+  return side_by_side(panels, title);
 }
 
 std::string poses_figure(const Drawing& drawing, const std::string& task, const std::string& unit) {

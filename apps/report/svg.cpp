@@ -12,7 +12,7 @@
 namespace burmester {
 namespace {
 
-constexpr double sheet = 800, edge = 46, head = 44;
+constexpr double edge = 46, head = 44;
 
 Point2 sum(const Point2& a, const Point2& b, double factor = 1) {
   return {a[0] + factor * b[0], a[1] + factor * b[1]};
@@ -106,7 +106,7 @@ std::array<double, 4> window_of(const std::vector<Point2>& points, double margin
   return {w[0] - grow, w[1] - grow, w[2] + grow, w[3] + grow};
 }
 
-Svg::Svg(const std::array<double, 4>& window, std::string_view title) : window_(window), title_(title) {
+Svg::Svg(const std::array<double, 4>& window, std::string_view title, double sheet) : window_(window), title_(title) {
   const double w = std::max(window[2] - window[0], 1e-300), h = std::max(window[3] - window[1], 1e-300);
   scale_ = (sheet - 2 * edge) / std::max(w, h);
   width_ = std::max(w * scale_ + 2 * edge, 480.0);
@@ -245,6 +245,28 @@ std::string Svg::finish() const {
 )",
       number(width_), number(height_ + head), number(-head), escaped(printable(title_, 90)), ink, body_,
       figure_mark);
+}
+
+std::string side_by_side(const std::vector<Svg>& figures, std::string_view title) {
+  constexpr std::size_t columns = 3;
+  double width = 0, height = 0;
+  for (const Svg& figure : figures)
+    width = std::max(width, figure.width()), height = std::max(height, figure.height() + head);
+  std::string body;
+  for (std::size_t k = 0; k < figures.size(); ++k)
+    body += fmt::format("<svg x=\"{}\" y=\"{}\"{}", number(width * static_cast<double>(k % columns)),
+                        number(head + height * static_cast<double>(k / columns)),
+                        figures[k].finish().substr(figure_mark.size() + 4));
+  const double rows = static_cast<double>((figures.size() + columns - 1) / columns);
+  return fmt::format(
+      R"({0}<svg xmlns="http://www.w3.org/2000/svg" width="{1}" height="{2}" viewBox="0 0 {1} {2}"
+ font-family="Helvetica, Arial, sans-serif">
+<title>{3}</title>
+<rect width="{1}" height="{2}" fill="#fff"/>
+{4}<text x="14" y="28" font-size="18" fill="{5}">{3}</text>
+</svg>
+)",
+      figure_mark, number(columns * width), number(head + rows * height), escaped(printable(title, 90)), body, ink);
 }
 
 }  // namespace burmester

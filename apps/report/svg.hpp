@@ -31,7 +31,8 @@ struct MarkLabel {
 
 class Svg {
  public:
-  Svg(const std::array<double, 4>& window, std::string_view title);
+  /// sheet: pixels of the longer side, about
+  Svg(const std::array<double, 4>& window, std::string_view title, double sheet = 800);
 
   /// Position on the sheet, in pixels.
   Point2 place(const Point2& p) const;
@@ -65,5 +66,8 @@ class Svg {
   double scale_ = 1, width_ = 0, height_ = 0;
   std::string title_, body_;
 };
+
+/// Figures of one size, three in a row, under a title.
+std::string side_by_side(const std::vector<Svg>& figures, std::string_view title);
 
 }  // namespace burmester

@@ -83,6 +83,8 @@ struct Plate {
   std::vector<Part> parts;
   Snapshot lines;                  ///< one polyline for each part
   std::array<double, 4> window{};  ///< xmin, ymin, xmax, ymax
+  /// If there are any: pictures in one window, drawn side by side under the title; then no parts of its own.
+  std::vector<Plate> panels = {};
 };
 
 /// The constraint surfaces of a linkage's two dyads in the image space, projected. Roles: surface (lines of a

@@ -14,8 +14,8 @@
 
 namespace burmester::planar {
 
-/// Inversion and poles, for one dyad: an RR, or an RP whose bisectors are parallel. `number` counts the given pivots
-/// from 1 and is part of the names. Precondition: three poses.
+/// Inversion and poles, for one dyad: an RR, or an RP whose bisectors are parallel; for an RR also both step by step in
+/// six panels. `number` counts the given pivots from 1 and is part of the names. Precondition: three poses.
 std::vector<Plate> three_pose_constructions(std::span<const Pose> poses, const Dyads::Design& dyad,
                                                           int number);
 

@@ -38,7 +38,7 @@ TEST(Construction, InversionLeadsToTheMovingPivot) {
   for (const std::vector<double>& fixed : {std::vector<double>{0, 0}, {16, 0}}) {
     const auto design = dyad_of(poses, fixed);
     const auto drawings = three_pose_constructions(poses, design, 1);
-    ASSERT_EQ(drawings.size(), 2u);
+    ASSERT_EQ(drawings.size(), 3u);
     const Plate& inversion = drawings[0];
     EXPECT_EQ(inversion.name, "construction_1_inversion");
     ASSERT_EQ(inversion.parts.size(), inversion.lines.size());
@@ -76,11 +76,40 @@ TEST(Construction, PolesLeadToTheSamePivot) {
   EXPECT_LT((arcs[2].front() - images[0][0]).norm() + (arcs[2].back() - images[1][0]).norm(), 1e-12);
 }
 
+TEST(Construction, SixPanelsShowTheStepsToOneDyad) {
+  const Vector2 fixed(16, 0);
+  const auto design = std::get<RR::Design>(dyad_of(poses, {16, 0}));
+  const Plate steps = three_pose_constructions(poses, design, 2).at(2);
+  EXPECT_EQ(steps.name, "construction_2_steps");
+  EXPECT_TRUE(steps.parts.empty());
+  ASSERT_EQ(steps.panels.size(), 6u);
+  for (const Plate& panel : steps.panels) {
+    EXPECT_EQ(panel.window, steps.window);
+    EXPECT_EQ(lines_of(panel, "frame").size(), 3u);
+    for (const auto& p : lines_of(panel, "constructed"))
+      EXPECT_NEAR((p[0] - fixed).norm(), design.length, 1e-12);
+  }
+  for (std::size_t k = 0; k < 3; ++k) {  // by inversion, each pose in turn
+    const Vector2 pivot = lines_of(steps.panels[k], "constructed").at(0)[0];
+    EXPECT_LT((pivot - to_fixed(poses[k], design.moving)).norm(), 1e-12);
+    const auto images = lines_of(steps.panels[k], "image"), bisectors = lines_of(steps.panels[k], "bisector");
+    ASSERT_EQ(images.size(), 2u);
+    for (const auto& image : images) EXPECT_NEAR((image[0] - pivot).norm(), design.length, 1e-12);
+    for (const auto& line : bisectors) EXPECT_LT(distance_to_line(pivot, line), 1e-12);
+  }
+  const Vector2 pole = lines_of(steps.panels[3], "pole").at(0)[0];
+  for (const auto& line : lines_of(steps.panels[3], "bisector")) EXPECT_LT(distance_to_line(pole, line), 1e-11);
+  EXPECT_EQ(lines_of(steps.panels[4], "constructed").size(), 3u);
+  const auto links = lines_of(steps.panels[5], "link");
+  ASSERT_EQ(links.size(), 3u);
+  for (const auto& link : links) EXPECT_NEAR((link[2] - link[1]).norm(), design.moving.norm(), 1e-12);
+}
+
 TEST(Construction, ParallelPosesAndSlidersAreDrawnWithoutPolesOrPivots) {
   const std::vector<Pose> shifted{{0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}};
   const auto without_poles = three_pose_constructions(shifted, dyad_of(shifted, {2, 2}), 1);
-  ASSERT_FALSE(without_poles.empty());
-  for (const auto& drawing : without_poles) {
+  ASSERT_EQ(without_poles.size(), 3u);
+  for (const auto& drawing : {without_poles[0], without_poles[1], without_poles[2].panels.at(3)}) {
     EXPECT_FALSE(lines_of(drawing, "constructed").empty());
     EXPECT_TRUE(lines_of(drawing, "pole").empty());
   }
@@ -88,7 +117,7 @@ TEST(Construction, ParallelPosesAndSlidersAreDrawnWithoutPolesOrPivots) {
   const auto slider = dyad_of(straight, {2, 2});
   ASSERT_TRUE(std::holds_alternative<RP::Design>(slider));
   const auto without_pivots = three_pose_constructions(straight, slider, 1);
-  ASSERT_FALSE(without_pivots.empty());
+  ASSERT_EQ(without_pivots.size(), 2u);
   for (const auto& drawing : without_pivots) {
     EXPECT_TRUE(lines_of(drawing, "constructed").empty());
     EXPECT_FALSE(lines_of(drawing, "bisector").empty());

@@ -201,13 +201,13 @@ class Pivots(ProgramTest):
                          "linkages: the spherical module ranks no linkages; ignored")
 
     def test_constructions_are_drawn(self):
-        names = {f"construction_{k}_{how}.svg" for k in (1, 2) for how in ("inversion", "poles")}
+        names = {f"construction_{k}_{how}.svg" for k in (1, 2) for how in ("inversion", "poles", "steps")}
         with tempfile.TemporaryDirectory() as folder:
             self.good("synthesize", example("mech576_three_poses"), "-o", folder)
             self.assertLessEqual(names, set(os.listdir(folder)))
             with open(os.path.join(folder, "report.html"), encoding="utf-8") as file:
                 page = file.read()
-            self.assertEqual(page.count("by inversion") >= 2 and page.count("<figcaption>"), 4)
+            self.assertEqual(page.count("by inversion") >= 2 and page.count("<figcaption>"), 6)
             for name in names:
                 text = "".join(xml.etree.ElementTree.parse(os.path.join(folder, name)).getroot().itertext())
                 for label in ("M2", "M3", "A1"):
