@@ -131,8 +131,8 @@ Drawing draw_synthesis(const Problem& problem, const Synthesis& answer) {
   }
   if (poses.size() == 4) {
     const std::vector<CandidateRecord> none;
-    out.plates = four_pose_plates(std::span(poses).first<4>(), answer.curves,
-                                  answer.candidates ? *answer.candidates : none);
+    out.plates =
+        four_pose_plates(std::span(poses).first<4>(), answer.curves, answer.candidates ? *answer.candidates : none);
   }
   if (poses.size() == 3)
     for (std::size_t k = 0; k < problem.fixed.size(); ++k)

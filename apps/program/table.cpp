@@ -239,8 +239,8 @@ std::string answer_text(const Problem& problem, const Synthesis& answer, double 
   if (!answer.curves.empty()) out += curves_text(answer.curves);
   if (!answer.linkages.empty()) out += "\nLinkages\n" + linkage_table(problem, answer, has_arcs(answer.dyads));
   if (answer.candidates && !answer.candidates->empty())
-    out += "\nLinkages from pairs of points of the curves, best first\n" +
-           candidate_table(*answer.candidates, task_size);
+    out +=
+        "\nLinkages from pairs of points of the curves, best first\n" + candidate_table(*answer.candidates, task_size);
   return out;
 }
 

@@ -197,8 +197,8 @@ class ConstructionFigure {
       svg_.polyline({{x, y - 8}, {x, y + 8}}, false, stroke("stroke-width=\"2\""));
     }
     if (line.size() == 1)
-      labels_.push_back({line[0], part.label,
-                         fmt::format("font-weight=\"600\" fill=\"{}\"", part.dyad > 0 ? colour : ink)});
+      labels_.push_back(
+          {line[0], part.label, fmt::format("font-weight=\"600\" fill=\"{}\"", part.dyad > 0 ? colour : ink)});
   }
 
   const Plate& drawing_;

@@ -60,8 +60,8 @@ class Sheet {
       const Point2 y{line[2][0] - line[1][0], line[2][1] - line[1][1]};
       const std::string_view colour = pose_colour(static_cast<std::size_t>(part.dyad));
       svg_.frame(line[1], x, y, 26, colour, "");
-      labels_.push_back({line[1], part.label, fmt::format("font-weight=\"600\" fill=\"{}\"", colour),
-                         {-x[0] - y[0], -x[1] - y[1]}});
+      labels_.push_back(
+          {line[1], part.label, fmt::format("font-weight=\"600\" fill=\"{}\"", colour), {-x[0] - y[0], -x[1] - y[1]}});
     } else {
       mark(part, line[0]);
     }

@@ -149,15 +149,14 @@ void Svg::label(const Point2& placed, std::string_view name, std::string_view at
 
 void Svg::labels(const std::vector<MarkLabel>& labels) {
   std::vector<Box> taken;
-  for (const MarkLabel& label : labels)
-    taken.push_back({sum(label.placed, {-4, -4}), sum(label.placed, {4, 4})});
+  for (const MarkLabel& label : labels) taken.push_back({sum(label.placed, {-4, -4}), sum(label.placed, {4, 4})});
   for (const MarkLabel& l : labels) {
     if (!inside(l.placed)) continue;
     const auto [box, off] = free_room(l, taken, {{0, 0}, {width_, height_}});
     taken.push_back(box);
     if (off > 0)
-      polyline({l.placed, {std::clamp(l.placed[0], box.low[0], box.high[0]),
-                           std::clamp(l.placed[1], box.low[1], box.high[1])}},
+      polyline({l.placed,
+                {std::clamp(l.placed[0], box.low[0], box.high[0]), std::clamp(l.placed[1], box.low[1], box.high[1])}},
                false, fmt::format("stroke=\"{}\" stroke-width=\"0.7\"", soft_ink));
     label({box.low[0], box.high[1] - 4}, l.name, l.attributes);
   }

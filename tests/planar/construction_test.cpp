@@ -86,8 +86,7 @@ TEST(Construction, SixPanelsShowTheStepsToOneDyad) {
   for (const Plate& panel : steps.panels) {
     EXPECT_EQ(panel.window, steps.window);
     EXPECT_EQ(lines_of(panel, "frame").size(), 3u);
-    for (const auto& p : lines_of(panel, "constructed"))
-      EXPECT_NEAR((p[0] - fixed).norm(), design.length, 1e-12);
+    for (const auto& p : lines_of(panel, "constructed")) EXPECT_NEAR((p[0] - fixed).norm(), design.length, 1e-12);
   }
   for (std::size_t k = 0; k < 3; ++k) {  // by inversion, each pose in turn
     const Vector2 pivot = lines_of(steps.panels[k], "constructed").at(0)[0];
