@@ -21,7 +21,7 @@ struct EnclosedAxes {
 };
 
 /// All different real solutions of the equations. Nothing where no chart shows each of them alone: there are infinitely
-/// many, or at one of finitely many the equations are stationary in too many directions.
+/// many.
 std::optional<std::vector<EnclosedAxes>> exact_axes(const Bilinear<Rational>& equations);
 
 /// The real moving axes (1, t, s) in one line through the centre of a chart.
