@@ -9,6 +9,7 @@
 #include "burmester/planar/exact_degeneracy.hpp"
 #include "burmester/planar/five_pose_enclosure.hpp"
 #include "burmester/planar/five_pose_oracle.hpp"
+#include "burmester/planar/merge_distance.hpp"
 
 namespace burmester::planar {
 namespace {
@@ -101,7 +102,7 @@ bool enclose(FivePoses poses, const std::array<Anchored<T>, 4>& w, Rung rung, Ce
 
 /// Takes the roots of quad precision, where they are as many as are proved.
 bool take_quad_roots(FivePoses poses, CertifiedRoots& out) {
-  const FivePoseRoots<Quad> quad = five_pose_roots_quad(poses);
+  const FivePoseRoots<Quad> quad = five_pose_roots_as_given(poses);
   if (quad.count != out.count) return false;
   out.roots.count = quad.count;
   out.quad = quad.w;
@@ -177,9 +178,14 @@ CertifiedRoots certified_five_pose_roots(FivePoses poses) {
   out.roots = five_pose_roots(poses);
   if (out.roots.what != FivePoseCase::regular && out.roots.what != FivePoseCase::two_orientations) {
     prove_degeneracy(poses, out);
-    return out;
+    if (out.degenerate || out.count < 0 || degenerate_within_rounding(out.roots.what, poses, out.roots.anchor))
+      return out;
+    out.roots.what = FivePoseCase::regular;
+    out.roots.rounding = 1;  // of the discriminant: nothing is known of it
+    out.count_rung = Rung::exact;
+  } else {
+    prove_count(poses, out);
   }
-  prove_count(poses, out);
   out.complete = prove_boxes(poses, out);
   return out;
 }

@@ -8,5 +8,7 @@ namespace burmester::planar {
 
 /// Precondition as for five_pose_roots; about sixty times as slow. Errors are below 1e-24 where double gives 1e-6.
 FivePoseRoots<Quad> five_pose_roots_quad(FivePoses poses);
+/// Of poses that are known not to be degenerate: the doubles read as exact, no size counts as zero.
+FivePoseRoots<Quad> five_pose_roots_as_given(FivePoses poses);
 
 }  // namespace burmester::planar

@@ -4,6 +4,6 @@
 
 namespace burmester::planar {
 
-FivePoseRoots<double> five_pose_roots(FivePoses poses) { return detail::solve<double>(poses); }
+FivePoseRoots<double> five_pose_roots(FivePoses poses) { return detail::solve<double>(poses, choose_anchor(poses)); }
 
 }  // namespace burmester::planar

@@ -181,7 +181,11 @@ PlanarReport report_of(const FivePoseRoots<T>& roots, FivePoses poses, const Cer
 PlanarReport FivePoseSolver::solve(std::span<const Pose> poses) const {
   assert(poses.size() == 5);
   const FivePoses five = poses.first<5>();
-  if (!certify) return report_of(five_pose_roots(five), five);
+  if (!certify) {
+    FivePoseRoots<double> roots = five_pose_roots(five);
+    roots.indistinct = roots.indistinct || !degenerate_within_rounding(roots.what, five, roots.anchor);
+    return report_of(roots, five);
+  }
   CertifiedRoots certified = certified_five_pose_roots(five);
   PlanarReport report = report_of(certified.roots, five, &certified);
   const bool wide = !all_certified(report) || radius_of(report) > largest_radius * task_size(five);

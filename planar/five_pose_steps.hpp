@@ -166,9 +166,8 @@ void special_orientations(FivePoses poses, const Pencil<T>& pencil, double toler
 }
 
 template <class T>
-FivePoseRoots<T> solve(FivePoses poses) {
+FivePoseRoots<T> solve(FivePoses poses, const AnchorChoice& choice) {
   FivePoseRoots<T> out;
-  const AnchorChoice choice = choose_anchor(poses);
   out.anchor = choice.anchor;
   out.indistinct = choice.indistinct;
   if (choice.equal_poses) {

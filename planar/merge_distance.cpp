@@ -82,4 +82,10 @@ std::optional<MergeDistance> merge_distance(FivePoseCase what, FivePoses poses, 
   return distance_of(relative_discriminant(cubic), count == 0 || (count == 2 && others_are_real(conics, cubic)));
 }
 
+bool degenerate_within_rounding(FivePoseCase what, FivePoses poses, const Anchor& anchor) {
+  if (what < FivePoseCase::rotation) return true;  // told by equal orientations, not by size
+  const auto merging = merge_distance(FivePoseCase::regular, poses, anchor, 0);
+  return !merging || merging->distance < largest_degenerate;
+}
+
 }  // namespace burmester::planar

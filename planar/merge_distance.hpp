@@ -28,6 +28,14 @@ struct MergeDistance {
 /// Precondition: `what` is regular or two_orientations, with `count` real dyads. Nothing where D is stationary.
 std::optional<MergeDistance> merge_distance(FivePoseCase what, FivePoses poses, const Anchor& anchor, int count);
 
+/// Around poses with infinitely many dyads, or none at all, D changes by its own size over the distance from them, so
+/// that d is a fraction of it. Poses of the degenerate task classes, rounded once, have d <= 0.16 units of 2^-53.
+inline constexpr double largest_degenerate = unit_roundoff / 4;
+
+/// Whether poses that five_pose_roots() names degenerate are within rounding of such: sizes alone call clusters of
+/// close poses (3 + 2, 2 + 2 + 1, ..) degenerate that are far from it. True of those told by equal orientations.
+bool degenerate_within_rounding(FivePoseCase what, FivePoses poses, const Anchor& anchor);
+
 /// Of the data: below this distance two dyads nearly merge, and the report warns.
 inline constexpr double near_merging = 100 * unit_roundoff;
 

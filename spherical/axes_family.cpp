@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "burmester/geometry/affine_inertia.hpp"
+#include "burmester/geometry/curve_topology.hpp"
 #include "burmester/geometry/plane_curve.hpp"
 #include "burmester/geometry/real_roots.hpp"
 
@@ -107,13 +107,15 @@ std::optional<Minors> minors_of(const Bilinear<Rational>& n) {
   return Minors{Form(0), m};
 }
 
-/// Whether a common factor of that degree has infinitely many real points, told of a conic by its signature.
-bool is_real_curve(const Form& g) {
-  if (g.degree != 2) return g.degree > 0;
-  Matrix<Rational, 3, 3> twice;
-  twice << 2 * g(2, 0), g(1, 1), g(1, 0), g(1, 1), 2 * g(0, 2), g(0, 1), g(1, 0), g(0, 1), 2 * g(0, 0);
-  const Inertia found = *inertia<Rational, 3>(twice);
-  return found.rank == 1 || std::abs(found.signature) < found.rank;
+/// Degree of the cone that its real points fill: without single lines of it, and a multiple part once.
+int real_degree(const Form& g) {
+  const CurveTopology found = topology_of(g);
+  if (found.rung == Rung::none) return 0;
+  const int lines = static_cast<int>(found.lines.size());
+  if (g.degree == 3 && lines == 0) return 3;
+  const bool crossing = std::any_of(found.singular.begin(), found.singular.end(),
+                                    [](const SingularPoint& p) { return p.kind == SingularKind::crossing; });
+  return lines + (!found.conics.empty() && (found.ovals > 0 || crossing) ? 2 : 0);
 }
 
 // ---- The common points of the h ----
@@ -162,36 +164,27 @@ std::vector<P> conditions_on_lines(const Rows& h) {
   return out;
 }
 
-/// (1 : z) of the common point on a line that may have one, as polynomials of t.
-struct OnLine {
-  enum { none, one, hidden } points = hidden;  ///< hidden: more than one, or at the centre
-  std::array<P, 2> place;
-};
-
 bool vanishes(const P& p, RealRoot& t) { return sign_at(p, t) == 0; }
 
 /// The rows (h0, h1) vanish on (1, z).
-OnLine on_line_of_linear_forms(const Rows& h) {
+AxesOnLine on_line_of_linear_forms(const Rows& h) {
   for (const auto& row : h)
-    if (!row[1].is_zero()) return {OnLine::one, {row[1], -row[0]}};
+    if (!row[1].is_zero()) return {AxesOnLine::one, {row[1], -row[0]}};
   return {};
 }
 
 /// The rows (h0, h1, h2) vanish on (1, z, z^2). Of rank two they have one kernel, of rank one they are one quadratic.
-OnLine on_line_of_conics(const Rows& h, RealRoot& t) {
+AxesOnLine on_line_of_conics(const Rows& h, RealRoot& t) {
   const auto row = std::find_if(h.begin(), h.end(), [](const auto& r) { return !r[2].is_zero(); });
   if (row == h.end()) return {};
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = 0; j < i; ++j) {
       const auto k = cross(h[i], h[j]);
       if (std::all_of(k.begin(), k.end(), [&](const P& x) { return vanishes(x, t); })) continue;
-      if (vanishes(k[0], t) || !vanishes(k[1] * k[1] - k[0] * k[2], t)) return {OnLine::none, {}};
-      return {OnLine::one, {k[0], k[1]}};
+      if (vanishes(k[0], t) || !vanishes(k[1] * k[1] - k[0] * k[2], t)) return {AxesOnLine::none, {}};
+      return {AxesOnLine::one, {k[0], k[1]}};
     }
-  const auto& r = *row;
-  const int discriminant = sign_at(r[1] * r[1] - r[0] * r[2] * Rational(4), t);
-  if (discriminant != 0) return {discriminant < 0 ? OnLine::none : OnLine::hidden, {}};
-  return {OnLine::one, {r[2] * Rational(2), -r[1]}};
+  return roots_on_line({(*row)[0], (*row)[1], (*row)[2]}, t);
 }
 
 /// Whether M(a) has rank one or less: the sum of squares of its 2 x 2 minors.
@@ -227,15 +220,13 @@ std::optional<std::vector<EnclosedAxes>> isolated_in(const Chart& chart, const B
   if (lines.degree() == 0) return out;
   P on_lines(Row(lines.coefficients().begin(), lines.coefficients().end()));
   for (RealRoot& t : real_roots_exactly(on_lines)) {
-    const OnLine found = degree == 1 ? on_line_of_linear_forms(h) : on_line_of_conics(h, t);
-    if (found.points == OnLine::hidden) return std::nullopt;
-    if (found.points == OnLine::none) continue;
+    const AxesOnLine found = degree == 1 ? on_line_of_linear_forms(h) : on_line_of_conics(h, t);
+    if (found.axes == AxesOnLine::hidden) return std::nullopt;
+    if (found.axes == AxesOnLine::none) continue;
     const auto& [one, z] = found.place;
     const std::array<P, 3> a{one, one * P({Rational(0), Rational(1)}), z};
     if (vanishes(composed(minors.common, a), t) || vanishes(rank_one(n, a), t)) continue;  // in a family
-    const auto axes = enclosed_axes(t, equations, [&](const RationalInterval& at, int) {
-      return std::optional(from_chart<RationalInterval>(chart, {a[0](at), a[1](at), a[2](at)}));
-    });
+    const auto axes = enclosed_axes(t, chart, found.place, equations);
     if (!axes) return std::nullopt;
     out.push_back({axes->moving, axes->fixed, 1});
   }
@@ -251,7 +242,7 @@ std::optional<std::vector<EnclosedAxes>> isolated(const Bilinear<Rational>& n) {
 /// Degree of the real cone of axes that have a partner.
 int degree_of_cone(const Bilinear<Rational>& n) {
   const auto minors = minors_of(n);
-  return !minors ? every_axis : is_real_curve(minors->common) ? minors->common.degree : 0;
+  return !minors ? every_axis : minors->common.degree == 0 ? 0 : real_degree(minors->common);
 }
 
 }  // namespace

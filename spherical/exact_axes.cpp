@@ -1,17 +1,26 @@
 #include "burmester/spherical/exact_axes.hpp"
 
+#include <functional>
+#include <type_traits>
+
 namespace burmester::spherical {
 namespace {
 
 using Box = Vector<RationalInterval, 3>;
+using P = Polynomial<Rational>;
 
 /// C as polynomials in t = u1 / u0.
-using MinorPolynomials = std::array<std::array<Polynomial<Rational>, 4>, 4>;
+using MinorPolynomials = std::array<std::array<P, 4>, 4>;
 
-Box cross(const Box& a, const Box& b) {
+/// Of three intervals, or three polynomials.
+template <class V>
+V cross(const V& a, const V& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-RationalInterval dot(const Box& a, const Box& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+template <class V>
+auto dot(const V& a, const V& b) -> std::decay_t<decltype(a[0])> {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 /// The largest coordinate of the middle: doubles may be too short for it.
 Rational size_of(const Box& a) {
@@ -76,10 +85,44 @@ Box kernel(const Bilinear<Rational>& n, const Box& a) {
   return best;
 }
 
+/// The moving axis given t within 2^-bits; nothing where that is too wide.
+using MovingAxisAt = std::function<std::optional<Box>(const RationalInterval& t, int bits)>;
+
+std::optional<EnclosedAxes> narrowed(RealRoot& t, const Bilinear<Rational>& n, const MovingAxisAt& moving) {
+  for (int bits = 128; bits <= 1024; bits *= 2) {
+    t.refine(Rational(1, Integer(1) << bits));
+    const auto a = moving(rounded(t.bounds(), bits), bits);
+    if (!a) continue;
+    EnclosedAxes out{unit(*a, 2 * bits), {}, t.multiplicity()};
+    out.fixed = unit(kernel(n, out.moving), 2 * bits);
+    if (is_narrow(out.moving) && is_narrow(out.fixed)) return out;
+  }
+  return std::nullopt;
+}
+
+bool vanishes(const P& p, RealRoot& t) { return sign_at(p, t) == 0; }
+
+/// What lies over t where C has rank two, its rows spanned by some r and s r (docs/certificates.md): r has no s^3.
+AxesOnLine axes_behind(const MinorPolynomials& c, RealRoot& t) {
+  for (std::size_t left_out = 0; left_out < 4; ++left_out) {
+    const auto column = [&](std::size_t k) -> std::array<P, 3> {
+      return {c[(left_out + 1) % 4][k], c[(left_out + 2) % 4][k], c[(left_out + 3) % 4][k]};
+    };
+    if (!vanishes(dot(column(1), cross(column(2), column(3))), t)) return {};  // of rank three
+  }
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const auto without_cube = [&](std::size_t k) -> P { return c[i][k] * c[j][3] - c[j][k] * c[i][3]; };
+      const std::array<P, 3> r{without_cube(0), without_cube(1), without_cube(2)};
+      if (!vanishes(r[2], t)) return roots_on_line(r, t);
+    }
+  return {};
+}
+
 /// Nothing where the boxes do not become narrow: two solutions lie behind each other in this chart.
 std::optional<EnclosedAxes> axes_at(RealRoot& t, const Chart& chart, const MinorPolynomials& forms,
                                     const Bilinear<Rational>& n) {
-  return enclosed_axes(t, n, [&](const RationalInterval& at, int bits) -> std::optional<Box> {
+  return narrowed(t, n, [&](const RationalInterval& at, int bits) -> std::optional<Box> {
     const auto k = kernel(forms, at, bits);
     if (!k) return std::nullopt;
     const auto& [one, s] = *k;
@@ -98,7 +141,12 @@ std::optional<std::vector<EnclosedAxes>> axes_in(const Chart& chart, const Bilin
     for (std::size_t k = 0; k < 4; ++k) polynomials[j][k] = Polynomial<Rational>(forms[j][k].coefficients());
   std::vector<EnclosedAxes> out;
   for (RealRoot& root : real_roots_exactly(f)) {
-    const auto axes = axes_at(root, chart, polynomials, n);
+    auto axes = axes_at(root, chart, polynomials, n);
+    if (!axes) {
+      const AxesOnLine behind = axes_behind(polynomials, root);
+      if (behind.axes == AxesOnLine::none) continue;
+      if (behind.axes == AxesOnLine::one) axes = enclosed_axes(root, chart, behind.place, n);
+    }
     if (!axes) return std::nullopt;
     out.push_back(*axes);
   }
@@ -107,17 +155,18 @@ std::optional<std::vector<EnclosedAxes>> axes_in(const Chart& chart, const Bilin
 
 }  // namespace
 
-std::optional<EnclosedAxes> enclosed_axes(RealRoot& t, const Bilinear<Rational>& equations,
-                                          const MovingAxisAt& moving) {
-  for (int bits = 128; bits <= 1024; bits *= 2) {
-    t.refine(Rational(1, Integer(1) << bits));
-    const auto a = moving(rounded(t.bounds(), bits), bits);
-    if (!a) continue;
-    EnclosedAxes out{unit(*a, 2 * bits), {}, t.multiplicity()};
-    out.fixed = unit(kernel(equations, out.moving), 2 * bits);
-    if (is_narrow(out.moving) && is_narrow(out.fixed)) return out;
-  }
-  return std::nullopt;
+AxesOnLine roots_on_line(const std::array<P, 3>& r, RealRoot& t) {
+  const int discriminant = sign_at(r[1] * r[1] - r[0] * r[2] * Rational(4), t);
+  if (discriminant != 0) return {discriminant < 0 ? AxesOnLine::none : AxesOnLine::hidden, {}};
+  return {AxesOnLine::one, {r[2] * Rational(2), -r[1]}};
+}
+
+std::optional<EnclosedAxes> enclosed_axes(RealRoot& t, const Chart& chart, const std::array<P, 2>& place,
+                                          const Bilinear<Rational>& equations) {
+  return narrowed(t, equations, [&](const RationalInterval& at, int) {
+    const RationalInterval one = place[0](at);
+    return std::optional(from_chart<RationalInterval>(chart, {one, one * at, place[1](at)}));
+  });
 }
 
 std::optional<std::vector<EnclosedAxes>> exact_axes(const Bilinear<Rational>& equations) {

@@ -4,7 +4,7 @@
 // is narrowed until both axes are known far beyond doubles. About a millisecond.
 #pragma once
 
-#include <functional>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -21,14 +21,21 @@ struct EnclosedAxes {
 };
 
 /// All different real solutions of the equations. Nothing where no chart shows each of them alone: there are infinitely
-/// many, or at one of finitely many the equations are stationary in too many directions.
+/// many.
 std::optional<std::vector<EnclosedAxes>> exact_axes(const Bilinear<Rational>& equations);
 
-/// The moving axis given t within 2^-bits; nothing where that is too wide.
-using MovingAxisAt = std::function<std::optional<Vector<RationalInterval, 3>>(const RationalInterval& t, int bits)>;
+/// The real moving axes (1, t, s) in one line through the centre of a chart.
+struct AxesOnLine {
+  enum { none, one, hidden } axes = hidden;   ///< hidden: more than one, or it is not told
+  std::array<Polynomial<Rational>, 2> place;  ///< of one: (1 : s), as polynomials of t
+};
+/// The s with r[0] + r[1] s + r[2] s^2 = 0 at t. Precondition: r[2] not zero there.
+AxesOnLine roots_on_line(const std::array<Polynomial<Rational>, 3>& r, RealRoot& t);
 
-/// The solution whose moving axis is `moving` at t: t is refined until both axes are known. Nothing where they do not
-/// become narrow, as where the axis has more than one partner.
-std::optional<EnclosedAxes> enclosed_axes(RealRoot& t, const Bilinear<Rational>& equations, const MovingAxisAt& moving);
+/// The solution whose moving axis is in that place of the chart: t is refined until both axes are known. Nothing where
+/// they do not become narrow, as where the axis has more than one partner.
+std::optional<EnclosedAxes> enclosed_axes(RealRoot& t, const Chart& chart,
+                                          const std::array<Polynomial<Rational>, 2>& place,
+                                          const Bilinear<Rational>& equations);
 
 }  // namespace burmester::spherical

@@ -4,19 +4,10 @@
 
 #include <optional>
 
+#include "burmester/spherical/degeneracy.hpp"
 #include "burmester/spherical/exact_axes.hpp"
 
 namespace burmester::spherical {
-
-enum class Degeneracy {
-  none,                ///< nothing proved
-  equal_orientations,  ///< two orientations are equal: in effect four, curves of dyads
-  one_axis,            ///< all rotate about one axis: every axis with that one
-  rank_deficient,      ///< the four conditions on b (x) a are dependent
-  moving_on_circle,    ///< a moving axis takes only two places: the fixed axes with it are a great circle
-  fixed_on_circle,     ///< the same seen from the body
-  both_on_circles      ///< both: three orientations about one axis, the other two with that axis turned over
-};
 
 struct ExactDegeneracy {
   Degeneracy kind = Degeneracy::none;    ///< the first in the order above that is proved

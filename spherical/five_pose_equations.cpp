@@ -86,10 +86,12 @@ Lifted lifted_change(const ScaledDyad& x, const ScaledDyad& dx, double ee) {
 
 }  // namespace
 
-bool same_orientation(const Pose& a, const Pose& b) {
-  const Turn t = turn(image(a), image(b));
-  return t.s.norm() <= same_tolerance * std::hypot(t.s.norm(), t.c);
+Vector3 half_angle_sine(const Pose& from, const Pose& to) {
+  const Turn t = turn(image(from), image(to));
+  return t.s / std::hypot(t.s.norm(), t.c);
 }
+
+bool same_orientation(const Pose& a, const Pose& b) { return half_angle_sine(a, b).norm() <= same_tolerance; }
 
 FivePoseEquations five_pose_equations(FivePoses poses) {
   FivePoseEquations out;

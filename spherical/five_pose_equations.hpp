@@ -50,6 +50,8 @@ struct FivePoseEquations {
 
 /// Two equal orientations, or axes, may differ by this much: the coordinates of unit quaternions rounded twice.
 inline constexpr double same_tolerance = 0x1p-50;
+/// Axis times the sine of half the angle of the rotation from one pose to the other, in S; small ones lose nothing.
+Vector3 half_angle_sine(const Pose& from, const Pose& to);
 /// Whether two poses have the same orientation, up to rounding the data.
 bool same_orientation(const Pose& a, const Pose& b);
 

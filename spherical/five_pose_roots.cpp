@@ -1,6 +1,5 @@
 #include "burmester/spherical/five_pose_roots.hpp"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -12,9 +11,6 @@ namespace {
 
 /// Closer than this, rounding of the data changes what is left of them by 2^-18 or more.
 constexpr double indistinct_tolerance = 0x1p-33;
-/// A combination of rows counts as zero when it is below what rounding the data once can make of zero, times this
-/// factor for the additions in between.
-constexpr double noise_factor = 256;
 /// Roots of the sextic about 2^-19 apart, real or not, may be a sign of infinitely many dyads: the other path tells.
 constexpr int close_depth = 20;
 /// Those 2^-26 apart: rounding, whose effect on a double root is its square root, decides whether they are real.
@@ -125,32 +121,22 @@ FivePoseRoots prepared(FivePoses poses) {
   FivePoseRoots out;
   out.equations = five_pose_equations(poses);
   if (out.equations.closest <= same_tolerance)
-    out.what = FivePoseCase::equal_poses;
+    out.what = Degeneracy::equal_orientations;
   else if (out.equations.spread <= same_tolerance)
-    out.what = FivePoseCase::common_axis;
-  if (out.what != FivePoseCase::regular) return out;
+    out.what = Degeneracy::one_axis;
+  if (out.what != Degeneracy::none) return out;
   out.indistinct = std::min(out.equations.closest, out.equations.spread) < indistinct_tolerance;
   return out;
 }
 
-/// Whether rounding the data can make the rows dependent: their combination of unit length that is nearest to zero.
-/// Only rows of close orientations, and where axes nearly agree, are worth less than the doubles they are made of.
-bool fewer_than_four_conditions(const FivePoseRoots& out) {
-  const FivePoseEquations& equations = out.equations;
-  const Eigen::JacobiSVD<Eigen::Matrix<double, 9, 4>> svd(equations.rows.transpose(), Eigen::ComputeFullV);
-  const Vector<double, 4> share = svd.matrixV().col(3).cwiseAbs();
-  const double noise = out.indistinct ? 0x1p-53 : 0x1p-52 / equations.d * share.cwiseQuotient(equations.sine).sum();
-  return svd.singularValues()[3] <= noise_factor * noise;
-}
-
 /// Equations of rank three always come here: their fourth pivot is no pivot.
-void take_action_path(FivePoseRoots& out) {
+void take_action_path(FivePoses poses, FivePoseRoots& out) {
   out.path = FivePosePath::action;
   out.count = 0;
-  if (fewer_than_four_conditions(out))
-    out.what = FivePoseCase::rank_deficient;
-  else if (!detail::add_action_roots(out))
-    out.what = FivePoseCase::infinite;
+  const NearDegeneracy near = axis_in_two_places(poses);
+  out.what = near.kind;
+  out.indistinct = out.indistinct || near.distance < indistinct_tolerance;
+  if (out.what == Degeneracy::none) out.decided = detail::add_action_roots(out);
 }
 
 }  // namespace
@@ -188,18 +174,18 @@ bool detail::add_sextic_roots(double least_pivot, FivePoseRoots& out) {
 
 FivePoseRoots five_pose_roots(FivePoses poses, FivePosePath path) {
   FivePoseRoots out = prepared(poses);
-  if (out.what != FivePoseCase::regular) return out;
+  if (out.what != Degeneracy::none) return out;
   if (path == FivePosePath::sextic)
     detail::add_sextic_roots(0, out);
   else
-    take_action_path(out);
+    take_action_path(poses, out);
   return out;
 }
 
 FivePoseRoots five_pose_roots(FivePoses poses) {
   FivePoseRoots out = prepared(poses);
-  if (out.what != FivePoseCase::regular) return out;
-  if (!detail::add_sextic_roots(least_sextic_pivot, out) || out.close) take_action_path(out);
+  if (out.what != Degeneracy::none) return out;
+  if (!detail::add_sextic_roots(least_sextic_pivot, out) || out.close) take_action_path(poses, out);
   return out;
 }
 

@@ -16,25 +16,17 @@
 
 #include <optional>
 
-#include "burmester/spherical/five_pose_equations.hpp"
+#include "burmester/spherical/degeneracy.hpp"
 
 namespace burmester::spherical {
-
-/// What the five poses turned out to be. All but `regular` must be named; no roots are listed with them.
-enum class FivePoseCase {
-  regular,         ///< six dyads over the complex numbers, counted with multiplicity
-  equal_poses,     ///< two orientations coincide: in effect four poses, a curve of dyads
-  common_axis,     ///< all rotations from one pose to another have one axis
-  rank_deficient,  ///< fewer than four independent conditions: a curve of dyads or more
-  infinite         ///< four independent conditions, and still infinitely many dyads
-};
 
 enum class FivePosePath { sextic, action };
 
 struct FivePoseRoots {
-  FivePoseCase what = FivePoseCase::regular;
+  Degeneracy what = Degeneracy::none;  ///< within rounding; nothing is listed with any other
   FivePosePath path = FivePosePath::sextic;
-  bool indistinct = false;  ///< two poses, or the axes of all rotations, agree almost to within rounding of the data
+  bool indistinct = false;  ///< orientations or axes of rotations agree almost to within rounding of the data
+  bool decided = true;      ///< false where the numbers do not tell the dyads: nothing is listed
   bool merging = false;     ///< two dyads merge within rounding: the count may be off by two
   bool close = false;       ///< two roots of the sextic are near each other, real or not
   double pivot = 0;         ///< smallest pivot of the elimination of the path taken, relative to its largest

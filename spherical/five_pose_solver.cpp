@@ -24,37 +24,23 @@ constexpr const char* merging_warning =
 constexpr const char* nearly_merging_warning =
     "two dyads nearly merge: a change of the poses by their rounding may make two dyads merge or appear";
 constexpr const char* undecided =
-    "not decided: two orientations, or the axes of all rotations, agree to within rounding of the data";
+    "not decided: two orientations, or axes of the rotations between them, agree almost to within rounding of the data";
 constexpr const char* indistinct_warning =
-    "two orientations, or the axes of all rotations, agree to within rounding: the answer holds for the doubles given";
+    "two orientations, or axes of the rotations between them, agree almost to within rounding: the answer holds for "
+    "the "
+    "doubles given";
 
-std::string name_degeneracy(FivePoseCase what, std::span<const Pose> poses) {
-  switch (what) {
-    case FivePoseCase::equal_poses:
-      return name_equal_poses([&](int i, int j) {
-        return same_orientation(poses[static_cast<std::size_t>(i)], poses[static_cast<std::size_t>(j)]);
-      });
-    case FivePoseCase::common_axis:
-      return "all rotations from one orientation to another have one axis: every moving axis keeps its angle from it, "
-             "and the moving axis that coincides with it keeps its angle from every fixed axis";
-    case FivePoseCase::rank_deficient:
-      return "the five orientations give fewer than four independent conditions: infinitely many dyads";
-    default:
-      return "infinitely many dyads: the four conditions are independent, but share a curve of dyads (any others are "
-             "not listed)";
-  }
-}
-
-std::string name_proved(Degeneracy what, std::span<const Pose> poses) {
+/// `same`: whether two of the poses count as equal.
+std::string name_degeneracy(Degeneracy what, std::span<const Pose> poses, bool (*same)(const Pose&, const Pose&)) {
   switch (what) {
     case Degeneracy::equal_orientations:
-      return name_equal_poses([&](int i, int j) {
-        return equal_exactly(poses[static_cast<std::size_t>(i)], poses[static_cast<std::size_t>(j)]);
-      });
+      return name_equal_poses(
+          [&](int i, int j) { return same(poses[static_cast<std::size_t>(i)], poses[static_cast<std::size_t>(j)]); });
     case Degeneracy::one_axis:
-      return name_degeneracy(FivePoseCase::common_axis, poses);
+      return "all rotations from one orientation to another have one axis: every moving axis keeps its angle from it, "
+             "and the moving axis that coincides with it keeps its angle from every fixed axis";
     case Degeneracy::rank_deficient:
-      return name_degeneracy(FivePoseCase::rank_deficient, poses);
+      return "the five orientations give fewer than four independent conditions: infinitely many dyads";
     case Degeneracy::moving_on_circle:
       return "infinitely many dyads: a moving axis takes only two places, and every fixed axis as far from the one as "
              "from the other goes with it";
@@ -133,12 +119,12 @@ SphericalReport certified_report(const CertifiedAxes& proved, const std::vector<
 }
 
 /// The verdict on orientations that are degenerate within rounding: proved of the doubles, or what is true of these.
-SphericalReport judged_degenerate(FivePoseCase what, const CertifiedAxes& proved, FivePoses poses) {
-  SphericalReport report = degenerate(name_degeneracy(what, poses));
+SphericalReport judged_degenerate(Degeneracy what, const CertifiedAxes& proved, FivePoses poses) {
+  SphericalReport report = degenerate(name_degeneracy(what, poses, same_orientation));
   report.counts.certified = proved.degeneracy != Degeneracy::none;
   if (report.counts.certified) {
-    report.message =
-        name_proved(proved.degeneracy, poses) + (proved.isolated ? "; one dyad beside them" : "") + ", proved";
+    report.message = name_degeneracy(proved.degeneracy, poses, equal_exactly) +
+                     (proved.isolated ? "; one dyad beside them" : "") + ", proved";
     if (proved.isolated) report.dyads.push_back(certified_dyad(proved, 0, {}, poses));
   } else if (proved.count >= 0)
     report.message += fmt::format("; true within rounding, the doubles given have {} real dyad{}", proved.count,
@@ -146,12 +132,6 @@ SphericalReport judged_degenerate(FivePoseCase what, const CertifiedAxes& proved
   else
     report.message += ", within rounding";
   return report;
-}
-
-/// The sextic may have six roots where there are infinitely many dyads (one moving axis for a plane of fixed ones).
-FivePoseCase case_of(const FivePoseRoots& roots) {
-  const bool hidden = roots.what == FivePoseCase::regular && roots.path == FivePosePath::sextic;
-  return hidden && !detail::action_of(roots.equations) ? FivePoseCase::infinite : roots.what;
 }
 
 }  // namespace
@@ -188,17 +168,21 @@ SphericalReport FivePoseSolver::solve(std::span<const Pose> poses) const {
     for (const RR::Design& dyad : real) found.push_back({dyad.moving, dyad.fixed});
     proved = certified_axes(five, found);
   }
-  const FivePoseCase what = proved.complete ? roots.what : case_of(roots);
-  if (what != FivePoseCase::regular || proved.degeneracy != Degeneracy::none)
-    return certify ? judged_degenerate(what, proved, five) : degenerate(name_degeneracy(what, poses));
-  if (roots.indistinct && !proved.complete) return degenerate(undecided);
   SphericalReport report = proved.complete ? certified_report(proved, real, five) : report_of(real, poses);
+  const bool merging = nearly_merge(roots, report);
+  // the sextic may have six roots where there are infinitely many dyads (one moving axis for a plane of fixed ones)
+  const bool hidden =
+      roots.what == Degeneracy::none && roots.path == FivePosePath::sextic && (merging || !proved.complete);
+  const Degeneracy what = hidden ? axis_in_two_places(five).kind : roots.what;
+  if (what != Degeneracy::none || proved.degeneracy != Degeneracy::none)
+    return certify ? judged_degenerate(what, proved, five)
+                   : degenerate(name_degeneracy(what, poses, same_orientation) + " (any others are not listed)");
+  if (!proved.complete && (roots.indistinct || !roots.decided)) return degenerate(undecided);
   if (roots.indistinct) report.warnings.push_back(indistinct_warning);
   if (proved.complete && proved.count != roots.count)
     report.warnings.push_back(
         fmt::format("{} real dyads are proved to exist, but {} were found at first", proved.count, roots.count));
-  if (nearly_merge(roots, report))
-    report.warnings.push_back(proved.complete ? nearly_merging_warning : merging_warning);
+  if (merging) report.warnings.push_back(proved.complete ? nearly_merging_warning : merging_warning);
   return report;
 }
 

@@ -24,8 +24,7 @@ struct FoundSlider {
   int multiplicity = 1;         ///< so many sliders over the complex numbers coincide here
 };
 
-/// All different real sliders, proved; nothing where that is not decided (exact_axes.hpp): there are infinitely many,
-/// or some that coincide in too many directions.
+/// All different real sliders, proved; nothing where that is not decided (exact_axes.hpp): there are infinitely many.
 std::optional<std::vector<FoundSlider>> sliders(FourPoses poses);
 
 /// Infinitely many sliders, proved.

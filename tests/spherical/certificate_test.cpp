@@ -269,13 +269,15 @@ TEST(SphericalCertificate, CountsBesideADoubleDyadAreThoseOfTheDoubles) {
   EXPECT_GT(more, 3);
 }
 
-/// All four conditions are stationary at one dyad: four of the six coincide, and no chart has a simple kernel there.
-TEST(SphericalCertificate, FourDyadsThatCoincideInAllDirectionsAreNotClaimed) {
+/// All four conditions are stationary at one dyad: four of the six coincide, and C has rank two there in every chart.
+TEST(SphericalCertificate, FourDyadsThatCoincideInAllDirectionsAreOne) {
   const FivePoseTask task{Pose{1, 0, 0, 0}, {0, 0, 1, 0}, {0, 2, -1, -2}, {1, -1, 1, 1}, {1, 1, 1, -1}};
   const CertifiedAxes answer = certified_axes(task, {});
-  EXPECT_EQ(answer.count, -1);
-  EXPECT_FALSE(answer.complete);
+  EXPECT_TRUE(answer.complete);
+  ASSERT_EQ(answer.count, 1);
+  EXPECT_EQ(answer.boxes[0].multiplicity, 4);
   EXPECT_EQ(answer.degeneracy, Degeneracy::none);
+  EXPECT_LT(largest_residual<RR>(shown(answer.axes[0], task[static_cast<std::size_t>(answer.reference)]), task), 1e-15);
 }
 
 // ---- Surroundings ----

@@ -1,9 +1,11 @@
 // What people read of a proof: messages, certificates and verdicts in the reports of FivePoseSolver.
 #include <gmock/gmock.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
+#include "burmester/spherical/degeneracy.hpp"
 #include "burmester/spherical/five_pose_oracle.hpp"
 #include "burmester/spherical/five_pose_solver.hpp"
 #include "burmester/spherical/tasks.hpp"
@@ -137,6 +139,27 @@ TEST(SphericalReports, IndistinctOrientationsAreAnsweredForTheDoubles) {
   const SphericalReport report = solved(task);
   EXPECT_TRUE(report.counts.certified);
   EXPECT_THAT(report.warnings, ::testing::Contains(HasSubstr("the answer holds for the doubles given")));
+}
+
+/// Orientations in clusters, 1e-8 to 2e-14 rad wide and of different widths: not coaxial, so only their doubles count.
+TEST(SphericalReports, ClustersAreRegular) {
+  const std::string stream = "SphericalReports.ClustersAreRegular";
+  SCOPED_TRACE(stream);
+  Random random(stream);
+  constexpr std::array<std::array<std::size_t, 5>, 4> clusters{
+      {{0, 0, 0, 3, 3}, {0, 0, 2, 2, 4}, {0, 0, 0, 0, 4}, {0, 0, 0, 3, 4}}};
+  for (int i = 0; i < 80; ++i) {
+    FivePoseTask task = find_task_class("generic")->make(random);
+    for (std::size_t j = 0; j < 5; ++j)
+      if (const std::size_t first = clusters[static_cast<std::size_t>(i) % 4][j]; first != j)
+        task[j] = Space::nudged(task[first], std::pow(10, random.uniform(-13.7, -8)) * Space::random_feature(random));
+    if (axis_in_two_places(task).distance < 0x1p-48) continue;  // two of the directions drawn nearly agree
+    const SphericalReport report = solved(task);
+    EXPECT_NE(report.status, Status::degenerate) << i << ": " << report.message;
+    EXPECT_TRUE(report.counts.certified) << i << ": " << report.message;
+    EXPECT_EQ(report.counts.real, exact_count(task)) << i;
+    EXPECT_THAT(FivePoseSolver{.certify = false}.solve(task).message, Not(HasSubstr("infinitely many"))) << i;
+  }
 }
 
 /// Two pairs of close orientations and a fifth: the two equations of the second pair nearly agree, but not by rounding.

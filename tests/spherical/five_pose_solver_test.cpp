@@ -127,7 +127,7 @@ TEST(FivePoses, DegenerateOnesAreNamed) {
     const char* words = c.name == "equal_poses"    ? "poses 2 and 4 are equal"
                         : c.name == "common_axis"  ? "have one axis"
                         : c.name == "four_coaxial" ? "fewer than four independent conditions"
-                                                   : "share a curve of dyads";
+                                                   : "takes only two places";
     for (int i = 0; i < 200; ++i) {
       const SphericalReport report = FivePoseSolver{.certify = false}.solve(c.make(random));
       EXPECT_EQ(report.status, Status::degenerate) << c.name << ", task " << i;

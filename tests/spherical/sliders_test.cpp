@@ -182,6 +182,36 @@ TEST(SphericalSliders, InfinitelyManyAreProvedAndNamed) {
             std::string::npos);
 }
 
+/// Where the conditions of one slider leave all directions to first order, four of the six coincide.
+TEST(SphericalSliders, FourThatCoincideAreDecided) {
+  const FourPoseTask tasks[] = {{Pose{1, 1, 0, 0}, {0, -1, -1, 0}, {0, 1, -1, 0}, {-1, 1, 0, 0}},
+                                {Pose{0, -1, -1, 0}, {0, 0, -1, -1}, {-1, 0, 0, -1}, {-1, -1, 0, 0}},
+                                {Pose{1, -1, 1, 0}, {0, 1, -1, -1}, {-1, -1, -1, 0}, {0, -1, -1, -1}},
+                                {Pose{1, 0, -1, 1}, {-1, 0, 1, 1}, {1, -1, 0, -1}, {1, -1, 0, 1}}};
+  for (const FourPoseTask& task : tasks) {
+    const auto found = sliders(task);
+    ASSERT_TRUE(found);
+    int counted = 0, largest = 0;
+    for (const FoundSlider& f : *found) {
+      counted += f.multiplicity, largest = std::max(largest, f.multiplicity);
+      EXPECT_LT(f.slider.residual, 1e-15);
+      EXPECT_TRUE(f.slider.certificate.certified);
+    }
+    EXPECT_EQ(largest, 4);
+    EXPECT_EQ(counted % 2, 0);
+    EXPECT_LE(counted, 6);
+  }
+  // by hand: the four minors are x^2 z, y z^2, x^2 y and x z^2 in a suitable order, and vanish on the axes of the frame
+  EXPECT_EQ(sliders(tasks[0])->size(), 3u);
+}
+
+/// Four orientations about z: a z = 0 with b = z, and the reverse. The cubic in common, z (x^2 + y^2), is no more than
+/// that plane.
+TEST(SphericalSliders, ADefiniteConicIsNoPartOfTheCone) {
+  const FourPoseTask coaxial{Pose{1, 0, 0, 0}, {1, 0, 0, 1}, {2, 0, 0, 3}, {1, 0, 0, -3}};
+  EXPECT_EQ(degrees_of(coaxial), (Degrees{1, 1, 0}));
+}
+
 /// Those with a regular Jacobian are in no family.
 TEST(SphericalSliders, BesideAFamilyAreThoseThatASearchFinds) {
   for (const NamedTask& named : infinite) {
