@@ -161,6 +161,7 @@ TurnedTask turned_task(std::span<const Pose> poses, std::span<const double> weig
   const Eigen::Index n = static_cast<Eigen::Index>(poses.size());
   task.reference = poses[0];
   task.c.resize(n), task.t.resize(3, n), task.rows.resize(n, 9), task.weights.resize(n);
+  task.shift = Eigen::VectorXd::Zero(n);
   for (Eigen::Index j = 0; j < n; ++j) {
     const auto exact = relative_rotation<Quad>(poses[0], poses[static_cast<std::size_t>(j)]);
     const Vector<double, 4> q = exact.unaryExpr([](const Quad& x) { return static_cast<double>(x); });
@@ -186,6 +187,7 @@ AxesAt axes_at(const Eigen::Vector3d& fixed, const Eigen::Vector3d& moving) {
 template <class D>
 ErrorSum error_sum(const TurnedTask& task, const AxesAt& x) {
   Angles angles = angles_of(task, x);
+  angles.change -= task.shift;
   const Eigen::VectorXd& w = task.weights;
   ErrorSum out;
   Eigen::Matrix4d common_hessian = Eigen::Matrix4d::Zero();
@@ -205,13 +207,13 @@ ErrorSum error_sum(const TurnedTask& task, const AxesAt& x) {
   const Eigen::Matrix<double, 16, 1> bent = angles.hessian * weighted;
   out.hessian = angles.gradient * w.asDiagonal() * angles.gradient.transpose() +
                 Eigen::Map<const Eigen::Matrix4d>(bent.data()) + weighted.sum() * common_hessian;
-  out.gradient_terms = (angles.gradient.colwise().norm() * weighted.cwiseAbs()).value();
+  out.errors = angles.change;
   return out;
 }
 
 template <class D>
 AngleFit<D> nearest_fit(const TurnedTask& task, const AxesAt& start, int steps) {
-  AngleFit<D> out{start, {}, 0, false};
+  AngleFit<D> out{start, {}, 0, {}, false};
   ErrorSum here = error_sum<D>(task, out.axes);
   const double rounding = task.weights.sum() * std::pow(0x1p-48 * task.e, 2);
   double radius = 0.25, last = 1;
@@ -248,8 +250,29 @@ AngleFit<D> nearest_fit(const TurnedTask& task, const AxesAt& start, int steps) 
     if (radius < 0x1p-60) break;
   }
   out.design = design_of<D>(task, out.axes, here.arc);
-  out.sum = 2 * here.value;
+  out.sum = 2 * here.value, out.errors = here.errors;
   return out;
+}
+
+template <class D>
+std::optional<AngleFit<D>> met_exactly(TurnedTask task, const AngleFit<D>& fit, std::span<const Eigen::Index> which,
+                                       int steps) {
+  AngleFit<D> out = fit;
+  for (int round = 0; round < 50; ++round) {
+    double largest = 0, sum = out.sum;
+    for (const Eigen::Index j : which) {
+      const double error = out.errors[j] + task.shift[j];
+      largest = std::max(largest, std::abs(error));
+      sum -= task.weights[j] * out.errors[j] * out.errors[j];
+      task.shift[j] -= error;
+    }
+    if (out.least && largest <= 0x1p-46 * task.e) {
+      out.sum = sum;
+      return out;
+    }
+    out = nearest_fit<D>(task, out.axes, steps);
+  }
+  return std::nullopt;
 }
 
 template <class D>
@@ -284,6 +307,8 @@ template ErrorSum error_sum<RR>(const TurnedTask&, const AxesAt&);
 template ErrorSum error_sum<PR>(const TurnedTask&, const AxesAt&);
 template AngleFit<RR> nearest_fit(const TurnedTask&, const AxesAt&, int);
 template AngleFit<PR> nearest_fit(const TurnedTask&, const AxesAt&, int);
+template std::optional<AngleFit<RR>> met_exactly(TurnedTask, const AngleFit<RR>&, std::span<const Eigen::Index>, int);
+template std::optional<AngleFit<PR>> met_exactly(TurnedTask, const AngleFit<PR>&, std::span<const Eigen::Index>, int);
 template bool same_fit(const TurnedTask&, const AngleFit<RR>&, const AngleFit<RR>&, double);
 template bool same_fit(const TurnedTask&, const AngleFit<PR>&, const AngleFit<PR>&, double);
 template double condition_of<RR>(const TurnedTask&, const AxesAt&);

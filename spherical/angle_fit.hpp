@@ -29,6 +29,7 @@ struct TurnedTask {
   Eigen::Matrix3Xd t;                             ///< one column for each
   Eigen::Matrix<double, Eigen::Dynamic, 9> rows;  ///< bracket of (1) as rows . k
   Eigen::VectorXd weights;
+  Eigen::VectorXd shift;  ///< errors are counted from here: zero but for orientations that are met exactly (met_exactly)
 };
 
 /// Precondition: weights not negative, one for each pose; the first is positive.
@@ -49,8 +50,8 @@ struct ErrorSum {
   double value = 0;
   Eigen::Vector4d gradient;
   Eigen::Matrix4d hessian;
-  double gradient_terms = 0;  ///< sum of the sizes of what the gradient is a sum of
   double arc = 0;             ///< mean angle; of a slider 90 deg
+  Eigen::VectorXd errors;     ///< angles less the arc and the shifts
 };
 template <class D>
 ErrorSum error_sum(const TurnedTask& task, const AxesAt& x);
@@ -60,12 +61,20 @@ struct AngleFit {
   AxesAt axes;
   typename D::Design design;
   double sum = 0;      ///< of the weighted squares
+  Eigen::VectorXd errors;
   bool least = false;  ///< a local minimum: the gradient is zero to rounding, the Hessian not negative
 };
 
 /// The local minimum that the steps from a start lead to.
 template <class D>
 AngleFit<D> nearest_fit(const TurnedTask& task, const AxesAt& start, int steps);
+
+/// The local minimum near a fit, with the orientations of the given numbers met to rounding: multipliers (M. R. Hestenes,
+/// M. J. D. Powell, 1969) in the form of shifts, each round takes back what the last left. Its sum is that of the other
+/// orientations. Empty where that fails. Precondition: weights of these are large against the others.
+template <class D>
+std::optional<AngleFit<D>> met_exactly(TurnedTask task, const AngleFit<D>& fit, std::span<const Eigen::Index> which,
+                                       int steps);
 
 /// Whether two fits are one: axes within `same`, and a x b within as much of the unit of alpha.
 template <class D>

@@ -21,13 +21,17 @@ namespace {
 constexpr int grid_size = 1500;
 const double grid_spacing = std::sqrt(2 * std::numbers::pi / grid_size), neighbourhood = std::cos(1.6 * grid_spacing);
 
-/// Relative to the largest; `floor` for those that are smaller, but not zero.
+/// Of orientations that are met exactly, the others' largest is 1: multipliers do the rest.
+constexpr double exact_weight = 1000;
+
+/// Relative to the largest that is finite; `floor` for those that are smaller, but not zero.
 std::vector<double> relative_weights(std::span<const double> weights, std::size_t count,
                                      double floor = 1 / largest_weight_ratio) {
   std::vector<double> out(count, 1);
-  if (weights.empty()) return out;
-  const double largest = *std::max_element(weights.begin(), weights.end());
-  for (std::size_t j = 0; j < count; ++j) out[j] = weights[j] > 0 ? std::max(weights[j] / largest, floor) : 0;
+  double largest = 0;
+  for (const double w : weights) largest = std::isinf(w) ? largest : std::max(largest, w);
+  for (std::size_t j = 0; j < weights.size(); ++j)
+    out[j] = std::isinf(weights[j]) ? exact_weight : weights[j] > 0 ? std::max(weights[j] / largest, floor) : 0;
   return out;
 }
 
@@ -132,6 +136,21 @@ std::vector<AngleFit<D>> fits_from(std::vector<AxesAt> starts, const TurnedTask&
   return out;
 }
 
+/// Of the fits those that can meet the orientations of exact_weight, once each.
+template <class D>
+std::vector<AngleFit<D>> with_exact(const TurnedTask& task, std::vector<AngleFit<D>> fits) {
+  std::vector<Eigen::Index> exact;
+  for (Eigen::Index j = 0; j < task.weights.size(); ++j)
+    if (task.weights[j] == exact_weight) exact.push_back(j);
+  if (exact.empty()) return fits;
+  std::vector<AngleFit<D>> out;
+  for (const auto& fit : fits)
+    if (const auto met = met_exactly(task, fit, exact, steps);
+        met && std::none_of(out.begin(), out.end(), [&](const auto& f) { return same_fit(task, f, *met); }))
+      out.push_back(*met);
+  return out;
+}
+
 /// Least sum of squares first.
 template <class D>
 std::vector<Found<typename D::Design>> best(std::span<const Pose> poses, std::span<const double> weights) {
@@ -143,10 +162,10 @@ std::vector<Found<typename D::Design>> best(std::span<const Pose> poses, std::sp
   const TurnedTask task = turned_task(seen, relative);
   std::vector<AxesAt> starts;
   // with uneven weights the fits with equal ones are starts too: what all orientations meet is found there
+  const std::vector<double> equal = relative_weights(relative, poses.size(), 1);
   if (relative != relative_weights(relative, poses.size(), 1 / uneven_ratio))
-    for (const auto& f : fits_from<D>({}, turned_task(seen, relative_weights(relative, poses.size(), 1))))
-      starts.push_back(f.axes);
-  std::vector<AngleFit<D>> fits = fits_from<D>(std::move(starts), task);
+    for (const auto& f : fits_from<D>({}, turned_task(seen, equal))) starts.push_back(f.axes);
+  std::vector<AngleFit<D>> fits = with_exact(task, fits_from<D>(std::move(starts), task));
   std::sort(fits.begin(), fits.end(), [](const auto& a, const auto& b) { return a.sum < b.sum; });
   std::vector<Found<typename D::Design>> out;
   for (const AngleFit<D>& f : fits)
@@ -240,9 +259,12 @@ SphericalReport LeastSquaresSolver::solve(std::span<const Pose> poses) const {
   }
   report.status = Status::approximate;
   for (const auto& f : dyads) report.dyads.push_back(listed(f, poses));
-  if (const auto slider = best_slider(poses, weights)) report.dyads.push_back(listed(*slider, poses));
-  report.message = fmt::format("no dyad meets all {} orientations: {} local best fit{} and the best slider",
-                               poses.size(), dyads.size(), dyads.size() == 1 ? "" : "s");
+  const auto slider = best_slider(poses, weights);
+  if (slider) report.dyads.push_back(listed(*slider, poses));
+  const auto exact = std::count(weights.begin(), weights.end(), met_exactly_weight);
+  report.message = fmt::format("no dyad meets all {} orientations: {} local best fit{}{}{}", poses.size(), dyads.size(),
+                               dyads.size() == 1 ? "" : "s", slider ? " and the best slider" : ", no slider",
+                               exact > 0 ? fmt::format(", of those that meet the {} exact", exact) : "");
   return report;
 }
 

@@ -8,11 +8,12 @@
 // and some further points of the grid. All this is scaled by the size of the turns from one orientation to another, so
 // that close ones are like any others. Each start is refined by Newton steps (angle_fit.hpp); only where the gradient
 // is zero to rounding and the Hessian not negative a fit is listed. Weights over 100 to 1 make starts of the fits with
-// equal ones, too. Only the ratios of weights matter, up to largest_weight_ratio. The slider by the smallest singular
-// vectors alone is what J. Angeles, S. Bai, "A robust solution of the spherical Burmester problem", print for their
-// example 2.
+// equal ones, too. Only the ratios of weights matter, up to largest_weight_ratio; orientations of infinite weight are
+// met exactly. The slider by the smallest singular vectors alone is what J. Angeles, S. Bai, "A robust solution of the
+// spherical Burmester problem", print for their example 2.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -24,6 +25,10 @@ namespace burmester::spherical {
 /// Largest weight over the smallest that is not zero up to which all is well. Smaller weights are raised to that, and a
 /// report says so: in doubles what heavier orientations leave of the errors would hide their effect.
 inline constexpr double largest_weight_ratio = 1e9;
+
+/// Weight of an orientation that is met exactly: the errors of the others are least among the dyads that do so. Up to
+/// four such orientations leave something to fit (three for sliders).
+inline constexpr double met_exactly_weight = std::numeric_limits<double>::infinity();
 
 /// The local minima that the starts lead to, those of smallest largest residual first. `weights`: one for each
 /// orientation, not negative, or none. Preconditions: five orientations or more, those of positive weight among them,
