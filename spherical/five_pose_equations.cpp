@@ -65,15 +65,6 @@ Matrix3 frame_along(const Vector3& z) {
 /// Axes that spread by more than this (radians) need no scaling.
 constexpr double wide_spread = 0.125;
 
-/// Equation (4) of one pose, scaled to order 1.
-Vector<double, 9> row(double c, const Vector3& t, double dd) {
-  const double x = t[0], y = t[1], z = t[2];
-  Vector<double, 9> out;
-  out << c * x, c * y, c * z, -(z * z + dd * y * y), -(z * z + dd * x * x), -(x * x + y * y), 2 * dd * x * y, 2 * x * z,
-      2 * y * z;
-  return out * unit_scale(out.cwiseAbs().maxCoeff());
-}
-
 /// d k for a change of x, times one: k is a quadratic form in (m, h).
 Lifted lifted_change(const ScaledDyad& x, const ScaledDyad& dx, double ee) {
   const Vector3 w = -2 * (dx.m.cross(x.h) + x.m.cross(dx.h)), &m = x.m, &n = dx.m, h = ee * x.h, &g = dx.h;
@@ -92,6 +83,14 @@ Vector3 half_angle_sine(const Pose& from, const Pose& to) {
 }
 
 bool same_orientation(const Pose& a, const Pose& b) { return half_angle_sine(a, b).norm() <= same_tolerance; }
+
+Vector<double, 9> kept_angle(double c, const Vector3& t, double dd) {
+  const double x = t[0], y = t[1], z = t[2];
+  Vector<double, 9> out;
+  out << c * x, c * y, c * z, -(z * z + dd * y * y), -(z * z + dd * x * x), -(x * x + y * y), 2 * dd * x * y, 2 * x * z,
+      2 * y * z;
+  return out;
+}
 
 FivePoseEquations five_pose_equations(FivePoses poses) {
   FivePoseEquations out;
@@ -121,7 +120,8 @@ FivePoseEquations five_pose_equations(FivePoses poses) {
   for (int r = 0; r < 4; ++r) {
     Vector3 t = turns[static_cast<std::size_t>(r)].s / out.e;
     if (out.d < 1) t = out.frame * t, t[0] /= out.d, t[1] /= out.d;
-    out.rows.row(r) = row(turns[static_cast<std::size_t>(r)].c, t, out.d * out.d);
+    const Vector<double, 9> row = kept_angle(turns[static_cast<std::size_t>(r)].c, t, out.d * out.d);
+    out.rows.row(r) = row * unit_scale(row.cwiseAbs().maxCoeff());
   }
   return out;
 }

@@ -55,6 +55,9 @@ Vector3 half_angle_sine(const Pose& from, const Pose& to);
 /// Whether two poses have the same orientation, up to rounding the data.
 bool same_orientation(const Pose& a, const Pose& b);
 
+/// Left side of (4) as row . k, dd = d^2.
+Vector<double, 9> kept_angle(double c, const Vector3& t, double dd);
+
 /// The equations of five poses. `rows` is only set where closest > 0 and spread > 0.
 FivePoseEquations five_pose_equations(FivePoses poses);
 

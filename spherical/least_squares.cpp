@@ -5,13 +5,14 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 #include "burmester/modules/framework/curve_report.hpp"
-#include "burmester/modules/framework/search.hpp"
-#include "burmester/spherical/family.hpp"
+#include "burmester/modules/framework/local.hpp"
+#include "burmester/spherical/angle_fit.hpp"
+#include "burmester/spherical/five_pose_equations.hpp"
 
 namespace burmester::spherical {
 namespace {
@@ -20,148 +21,178 @@ namespace {
 constexpr int grid_size = 1500;
 const double grid_spacing = std::sqrt(2 * std::numbers::pi / grid_size), neighbourhood = std::cos(1.6 * grid_spacing);
 
-/// Heaviest orientation first: elimination by rows of very different sizes then loses nothing of the small ones.
-struct Task {
-  std::vector<Pose> poses;
-  std::vector<Eigen::Matrix3d> turns;
-  std::vector<double> weights;  ///< largest 1
-  double sum = 0;               ///< of these
-};
+/// Of orientations that are met exactly, the others' largest is 1: multipliers do the rest.
+constexpr double exact_weight = 1000;
 
-/// Relative to the largest; `floor` for those that are smaller, but not zero.
+/// Relative to the largest that is finite; `floor` for those that are smaller, but not zero.
 std::vector<double> relative_weights(std::span<const double> weights, std::size_t count,
                                      double floor = 1 / largest_weight_ratio) {
   std::vector<double> out(count, 1);
-  if (weights.empty()) return out;
-  const double largest = *std::max_element(weights.begin(), weights.end());
-  for (std::size_t j = 0; j < count; ++j) out[j] = weights[j] > 0 ? std::max(weights[j] / largest, floor) : 0;
+  double largest = 0;
+  for (const double w : weights) largest = std::isinf(w) ? largest : std::max(largest, w);
+  for (std::size_t j = 0; j < weights.size(); ++j)
+    out[j] = std::isinf(weights[j]) ? exact_weight : weights[j] > 0 ? std::max(weights[j] / largest, floor) : 0;
   return out;
 }
 
-Task task_of(std::span<const Pose> poses, const std::vector<double>& weights) {
-  std::vector<std::size_t> order(poses.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return weights[i] > weights[j]; });
-  Task task;
-  for (const std::size_t j : order) {
-    const Eigen::Quaterniond q(poses[j].w, poses[j].x, poses[j].y, poses[j].z);
-    task.poses.push_back(poses[j]);
-    task.turns.push_back(q.normalized().toRotationMatrix());
-    task.weights.push_back(weights[j]), task.sum += weights[j];
-  }
-  return task;
-}
-
-/// A moving axis with its best fixed axis, by the plane through its places.
-struct Fit {
-  Axis fixed, moving;
-  double cosine = 0;  ///< of the arc
-  double misfit = 0;  ///< mean square of the angular errors, to first order
+/// A moving axis with its best fixed axis and the next, by planes through its places.
+struct Planes {
+  Eigen::Vector3d moving;
+  std::array<Eigen::Vector3d, 2> fixed;
+  std::array<double, 2> misfit;  ///< weighted squares of the angular errors, in units of e, to first order
 };
 
+/// With d_j = (R_j a - a) / e, in tangents of a and along it (e q_j), a plane b . x = cos(arc) leaves b . R_j a -
+/// cos(arc) = e k . (d_j, q_j, 1), where k = (b1, b2, e b3, (b3 - cos(arc)) / e), and sin(arc)^2 is k^T N k: the least
+/// ratio of the two squares is an eigenvalue (V. Pratt, 1987, for circles of the plane, which are the limit e = 0).
 template <class D>
-Fit fit(const Task& task, const Axis& a) {
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  if constexpr (std::is_same_v<D, RR>)
-    for (std::size_t j = 0; j < task.turns.size(); ++j) mean += task.weights[j] / task.sum * (task.turns[j] * a);
-  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
-  for (std::size_t j = 0; j < task.turns.size(); ++j) {
-    const Eigen::Vector3d p = task.turns[j] * a - mean;
-    scatter += task.weights[j] * p * p.transpose();
+Planes planes(const TurnedTask& task, const Eigen::Vector3d& a) {
+  constexpr int size = std::is_same_v<D, RR> ? 4 : 3;
+  using Square = Eigen::Matrix<double, size, size>;
+  const double e = task.e;
+  const Eigen::Vector3d p = a.unitOrthogonal(), q = a.cross(p);
+  Square M = Square::Zero(), N = Square::Identity();
+  for (Eigen::Index j = 0; j < task.t.cols(); ++j) {
+    const Eigen::Vector3d t = task.t.col(j), across = t.cross(a), d = 2 * (task.c[j] * across + e * t.cross(across));
+    const double inward = -2 * across.squaredNorm();
+    Eigen::Matrix<double, size, 1> z;
+    if constexpr (size == 4)
+      z << d.dot(p), d.dot(q), inward, 1;
+    else
+      z << d.dot(p), d.dot(q), 1 + e * e * inward;
+    M.template selfadjointView<Eigen::Lower>().rankUpdate(z, task.weights[j]);
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(scatter);
-  const Axis b = axes.eigenvectors().col(0);
-  const double cosine = b.dot(mean), sine = std::max(1 - cosine * cosine, 1e-12);
-  return {b, a, cosine, std::max(axes.eigenvalues()[0], 0.0) / sine};
+  M = M.template selfadjointView<Eigen::Lower>();
+  if constexpr (size == 4)
+    N.template bottomRightCorner<2, 2>() << 0, 1, 1, -e * e;
+  else
+    N(2, 2) = e * e;
+  M.diagonal().array() += 0x1p-48 * M.trace();  // exact fits make it singular
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Square> ratios(N, M);
+  Planes out{a, {}, {}};
+  for (int i = 0; i < 2; ++i) {
+    const Eigen::Matrix<double, size, 1> k = ratios.eigenvectors().col(size - 1 - i);
+    out.fixed[static_cast<std::size_t>(i)] = k[0] * p + k[1] * q + (size == 4 ? k[2] / e : k[2] * e) * a;
+    out.misfit[static_cast<std::size_t>(i)] = 1 / ratios.eigenvalues()[size - 1 - i];
+  }
+  return out;
 }
 
-RR::Design design_of(const Fit& f, RR) { return {f.fixed, f.moving, std::acos(std::clamp(f.cosine, -1.0, 1.0))}; }
-PR::Design design_of(const Fit& f, PR) { return {f.fixed, f.moving}; }
+/// Every so many points of the grid one is a start whatever its misfit.
+constexpr std::size_t stride = 15;
 
-/// Local minima of the misfit on a Fibonacci grid of the half sphere.
+/// Local minima of the misfits on a Fibonacci grid of the half sphere, and some points of it.
 template <class D>
-void add_scanned(const Task& task, std::vector<typename D::Design>& starts) {
-  std::vector<Fit> grid;
+void add_scanned(const TurnedTask& task, std::vector<AxesAt>& starts) {
+  std::vector<Planes> grid;
   for (int i = 0; i < grid_size; ++i) {
     const double z = (i + 0.5) / grid_size, r = std::sqrt(1 - z * z),
                  turn = 2 * std::numbers::pi * i / std::numbers::phi;
-    grid.push_back(fit<D>(task, {r * std::cos(turn), r * std::sin(turn), z}));
+    grid.push_back(planes<D>(task, {r * std::cos(turn), r * std::sin(turn), z}));
   }
-  for (const Fit& f : grid) {
-    const bool least = std::all_of(grid.begin(), grid.end(), [&](const Fit& other) {
-      return !(other.misfit < f.misfit) || std::abs(other.moving.dot(f.moving)) < neighbourhood;
-    });
-    if (least) starts.push_back(design_of(f, D{}));
-  }
+  for (std::size_t j = 0; j < grid.size(); j += stride)
+    starts.push_back(axes_at(grid[j].fixed[j / stride % 2], grid[j].moving));
+  for (const Planes& f : grid)
+    for (std::size_t i = 0; i < 2; ++i) {
+      const bool least = std::all_of(grid.begin(), grid.end(), [&](const Planes& other) {
+        return !(other.misfit[i] < f.misfit[i]) || std::abs(other.moving.dot(f.moving)) < neighbourhood;
+      });
+      if (least) starts.push_back(axes_at(f.fixed[i], f.moving));
+    }
 }
 
-/// The dyads nearest to the singular vectors of the lifted rows.
+/// The dyads nearest to the singular vectors of the lifted rows, in scaled coordinates.
 template <class D>
-void add_lifted(const Task& task, std::vector<typename D::Design>& starts) {
-  constexpr int columns = std::is_same_v<D, RR> ? Family::dimension : Family::dimension - 1;  // without the arc
-  Eigen::MatrixXd rows(static_cast<Eigen::Index>(task.poses.size()), columns);
-  for (Eigen::Index j = 0; j < rows.rows(); ++j) {
-    const Pose& pose = task.poses[static_cast<std::size_t>(j)];
-    const double norm = Space::norm<double>(Space::point<double>(pose));
-    rows.row(j) = std::sqrt(task.weights[static_cast<std::size_t>(j)]) / norm *
-                  Family::row<double>(pose).head<columns>().transpose();
-  }
+void add_lifted(const TurnedTask& task, std::vector<AxesAt>& starts) {
+  Eigen::MatrixXd rows(task.rows.rows(), 10);
+  const double e = task.e;
+  rows << task.rows, Eigen::VectorXd::Ones(task.rows.rows());
+  rows = task.weights.cwiseSqrt().asDiagonal() * rows;
   const Eigen::MatrixXd v = Eigen::JacobiSVD<Eigen::MatrixXd>(rows, Eigen::ComputeFullV).matrixV();
-  for (Eigen::Index i = 0; i < columns; ++i) {
-    Vector<double, Family::dimension> k = Vector<double, Family::dimension>::Zero();
-    k.head<columns>() = v.col(i);
-    const auto any = Family::decode(k);
-    if (!any) continue;
-    Dyads::visit(*any, [&]<class E>(const typename E::Design& d) {
-      if constexpr (std::is_same_v<D, E>)
-        starts.push_back(d);
-      else if constexpr (std::is_same_v<D, RR>)
-        starts.push_back({d.fixed, d.moving, std::numbers::pi / 2});
-    });
+  for (Eigen::Index i = 0; i < 10; ++i) {
+    const Lifted k = v.col(i).head<9>();
+    const ScaledDyad x = scaled_dyad(k, e);
+    const AxesAt axes = axes_at(x.m - e * x.h, x.m + e * x.h);
+    if (axes.frame.allFinite()) starts.push_back(axes);
   }
 }
 
-/// Steps from one start: heavy orientations leave narrow curved valleys, and large errors slow the last steps.
-constexpr int steps = 2000;
+/// Steps from one start: heavy orientations leave narrow curved valleys.
+constexpr int steps = 500;
 
 /// Largest weight over the smallest up to which the weighted rows and the scan are starts enough.
 constexpr double uneven_ratio = 100;
 
 template <class D>
-std::vector<Found<typename D::Design>> best_from(std::vector<typename D::Design> starts, const Task& task) {
+std::vector<AngleFit<D>> fits_from(std::vector<AxesAt> starts, const TurnedTask& task) {
   add_lifted<D>(task, starts);
   add_scanned<D>(task, starts);
-  return search_from<D>(starts, task.poses,
-                        {.iterations = steps, .tolerance = exact_residual, .weights = task.weights});
+  std::vector<AngleFit<D>> out;
+  for (const AxesAt& start : starts) {
+    const AngleFit<D> found = nearest_fit<D>(task, start, steps);
+    if (found.least && std::none_of(out.begin(), out.end(), [&](const auto& f) { return same_fit(task, f, found); }))
+      out.push_back(found);
+  }
+  return out;
 }
 
-/// With uneven weights the fits with equal ones are starts too: what all orientations meet is found there.
+/// Of the fits those that can meet the orientations of exact_weight, once each.
+template <class D>
+std::vector<AngleFit<D>> with_exact(const TurnedTask& task, std::vector<AngleFit<D>> fits) {
+  std::vector<Eigen::Index> exact;
+  for (Eigen::Index j = 0; j < task.weights.size(); ++j)
+    if (task.weights[j] == exact_weight) exact.push_back(j);
+  if (exact.empty()) return fits;
+  std::vector<AngleFit<D>> out;
+  for (const auto& fit : fits)
+    if (const auto met = met_exactly(task, fit, exact, steps);
+        met && std::none_of(out.begin(), out.end(), [&](const auto& f) { return same_fit(task, f, *met); }))
+      out.push_back(*met);
+  return out;
+}
+
+/// Least sum of squares first.
 template <class D>
 std::vector<Found<typename D::Design>> best(std::span<const Pose> poses, std::span<const double> weights) {
-  const std::vector<double> relative = relative_weights(weights, poses.size());
-  if (relative == relative_weights(weights, poses.size(), 1 / uneven_ratio))
-    return best_from<D>({}, task_of(poses, relative));
-  std::vector<typename D::Design> starts;
-  for (const auto& f : best_from<D>({}, task_of(poses, relative_weights(weights, poses.size(), 1))))
-    starts.push_back(f.design);
-  return best_from<D>(std::move(starts), task_of(poses, relative));
+  std::vector<double> relative = relative_weights(weights, poses.size());
+  std::vector<Pose> seen(poses.begin(), poses.end());  // from the heaviest
+  const auto heaviest = std::max_element(relative.begin(), relative.end()) - relative.begin();
+  std::swap(seen[0], seen[static_cast<std::size_t>(heaviest)]);
+  std::swap(relative[0], relative[static_cast<std::size_t>(heaviest)]);
+  const TurnedTask task = turned_task(seen, relative);
+  std::vector<AxesAt> starts;
+  // with uneven weights the fits with equal ones are starts too: what all orientations meet is found there
+  const std::vector<double> equal = relative_weights(relative, poses.size(), 1);
+  if (relative != relative_weights(relative, poses.size(), 1 / uneven_ratio))
+    for (const auto& f : fits_from<D>({}, turned_task(seen, equal))) starts.push_back(f.axes);
+  std::vector<AngleFit<D>> fits = with_exact(task, fits_from<D>(std::move(starts), task));
+  std::sort(fits.begin(), fits.end(), [](const auto& a, const auto& b) { return a.sum < b.sum; });
+  std::vector<Found<typename D::Design>> out;
+  for (const AngleFit<D>& f : fits)
+    out.push_back({f.design, largest_residual<D>(f.design, poses), condition_of<D>(task, f.axes), {}, {}, {}});
+  return out;
 }
 
-double sum_of_squares(const PR::Design& d, std::span<const Pose> poses, std::span<const double> weights) {
-  const Eigen::VectorXd r = residuals<PR>(d, poses);
-  double sum = 0;
-  for (std::size_t j = 0; j < poses.size(); ++j) sum += weights[j] * std::pow(r[static_cast<Eigen::Index>(j)], 2);
-  return sum;
+/// With the condition that is good for close orientations.
+template <class Design>
+Found<Dyads::Design> listed(const Found<Design>& fit, std::span<const Pose> poses) {
+  Found<Dyads::Design> out;
+  if constexpr (std::is_same_v<Design, RR::Design>)
+    out = found_dyad(fit.design, poses);
+  else
+    out = found_slider<PR, Dyads>(fit.design, poses);
+  out.condition = fit.condition;
+  return out;
 }
 
 /// Singular values of the quaternions below this, relative to the largest, are zero but for rounding.
 constexpr double rank_rounding = 0x1p-40;
 
-/// 1: all are equal, 2: all rotations from one to another have one axis.
-Eigen::Index rank_of(std::span<const Pose> poses) {
-  Eigen::MatrixXd q(static_cast<Eigen::Index>(poses.size()), 4);
+/// Of those with a weight. 1: all are equal, 2: all rotations from one to another have one axis.
+Eigen::Index rank_of(std::span<const Pose> poses, const std::vector<double>& weights) {
+  Eigen::MatrixXd q = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(poses.size()), 4);
   for (std::size_t j = 0; j < poses.size(); ++j)
-    q.row(static_cast<Eigen::Index>(j)) = Space::point<double>(poses[j]).normalized().transpose();
+    if (weights[j] > 0) q.row(static_cast<Eigen::Index>(j)) = Space::point<double>(poses[j]).normalized().transpose();
   const Eigen::VectorXd size = Eigen::JacobiSVD<Eigen::MatrixXd>(q).singularValues();
   return (size.array() > rank_rounding * size[0]).count();
 }
@@ -169,20 +200,14 @@ Eigen::Index rank_of(std::span<const Pose> poses) {
 }  // namespace
 
 std::vector<Found<RR::Design>> best_dyads(std::span<const Pose> poses, std::span<const double> weights) {
-  return best<RR>(poses, weights);
-}
-
-std::vector<Found<PR::Design>> best_sliders(std::span<const Pose> poses, std::span<const double> weights) {
-  return best<PR>(poses, weights);
+  auto out = best<RR>(poses, weights);
+  std::sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.residual < b.residual; });
+  return out;
 }
 
 std::optional<Found<PR::Design>> best_slider(std::span<const Pose> poses, std::span<const double> weights) {
-  const auto all = best_sliders(poses, weights);
-  if (all.empty()) return std::nullopt;
-  const std::vector<double> relative = relative_weights(weights, poses.size());
-  return *std::min_element(all.begin(), all.end(), [&](const auto& a, const auto& b) {
-    return sum_of_squares(a.design, poses, relative) < sum_of_squares(b.design, poses, relative);
-  });
+  const auto all = best<PR>(poses, weights);
+  return all.empty() ? std::nullopt : std::optional(all.front());
 }
 
 void add_best_slider(std::span<const Pose> poses, std::span<const double> weights, SphericalReport& report) {
@@ -193,17 +218,18 @@ void add_best_slider(std::span<const Pose> poses, std::span<const double> weight
   report.status = Status::approximate;
   report.message = fmt::format("no slider meets all {} orientations: the best one by least squares; {}", poses.size(),
                                report.message);
-  report.dyads.push_back(found_slider<PR, Dyads>(slider->design, poses));
+  report.dyads.push_back(listed(*slider, poses));
 }
 
 SphericalReport LeastSquaresSolver::solve(std::span<const Pose> poses) const {
   SphericalReport report;
-  if (relative_weights(weights, poses.size()) != relative_weights(weights, poses.size(), 0))
+  const std::vector<double> relative = relative_weights(weights, poses.size());
+  if (relative != relative_weights(weights, poses.size(), 0))
     report.warnings.push_back(
         fmt::format("weights below {:g} of the largest count as that much: fits that depend on "
                     "smaller ones cannot be told",
                     1 / largest_weight_ratio));
-  if (const Eigen::Index rank = rank_of(poses); rank <= 2) {
+  if (const Eigen::Index rank = rank_of(poses, relative); rank <= 2) {
     report.status = Status::degenerate;
     report.message = rank == 1
                          ? "all orientations are equal: every dyad meets them"
@@ -213,7 +239,7 @@ SphericalReport LeastSquaresSolver::solve(std::span<const Pose> poses) const {
   const auto dyads = best_dyads(poses, weights);
   report.counts.dimension = 0;
   for (const auto& f : dyads)
-    if (f.residual <= exact_residual) report.dyads.push_back(found_dyad(f.design, poses));
+    if (f.residual <= exact_residual) report.dyads.push_back(listed(f, poses));
   const bool isolated = std::all_of(report.dyads.begin(), report.dyads.end(),
                                     [](const auto& f) { return f.condition && std::isfinite(*f.condition); });
   if (!isolated) {
@@ -232,11 +258,13 @@ SphericalReport LeastSquaresSolver::solve(std::span<const Pose> poses) const {
     return report;
   }
   report.status = Status::approximate;
-  for (const auto& f : dyads) report.dyads.push_back(found_dyad(f.design, poses));
-  if (const auto slider = best_slider(poses, weights))
-    report.dyads.push_back(found_slider<PR, Dyads>(slider->design, poses));
-  report.message = fmt::format("no dyad meets all {} orientations: {} local best fit{} and the best slider",
-                               poses.size(), dyads.size(), dyads.size() == 1 ? "" : "s");
+  for (const auto& f : dyads) report.dyads.push_back(listed(f, poses));
+  const auto slider = best_slider(poses, weights);
+  if (slider) report.dyads.push_back(listed(*slider, poses));
+  const auto exact = std::count(weights.begin(), weights.end(), met_exactly_weight);
+  report.message = fmt::format("no dyad meets all {} orientations: {} local best fit{}{}{}", poses.size(), dyads.size(),
+                               dyads.size() == 1 ? "" : "s", slider ? " and the best slider" : ", no slider",
+                               exact > 0 ? fmt::format(", of those that meet the {} exact", exact) : "");
   return report;
 }
 

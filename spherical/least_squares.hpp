@@ -1,16 +1,19 @@
 // More orientations than a dyad can meet: the dyads, and the slider, that come nearest to them.
 //
 // Sought are the local minima of the sum of squares of the angular errors arc - angle(b, Q_j a), each times the weight
-// of its orientation. Starts come from two sides: the rows of the lifted equations (family.hpp), whose singular vectors
-// are decoded to dyads, and a scan. For a given moving axis a the places Q_j a are points of the sphere, and the plane
-// that fits them best (through the centre for a slider) gives the fixed axis b and the arc; so what is left is a
-// function of a alone, and its local minima on a grid of the half sphere are starts. Each start is refined by damped
-// Gauss-Newton steps on the angular errors themselves (modules/framework/search.hpp). Weights over 100 to 1 make starts
-// of the fits with equal ones, too. Only the ratios of weights matter, up to largest_weight_ratio. The slider by the
-// smallest singular vectors alone is what J. Angeles, S. Bai, "A robust solution of the spherical Burmester problem",
-// print for their example 2.
+// of its orientation. Starts come from two sides: the rows of the lifted equations (angle_fit.hpp), whose singular
+// vectors are decoded to dyads, and a scan. For a given moving axis a the places Q_j a are points of the sphere, and the
+// plane that fits them best (through the centre for a slider) gives the fixed axis b and the arc; so what is left is a
+// function of a alone. Its local minima on a grid of the half sphere are starts, those with the second best plane too,
+// and some further points of the grid. All this is scaled by the size of the turns from one orientation to another, so
+// that close ones are like any others. Each start is refined by Newton steps (angle_fit.hpp); only where the gradient
+// is zero to rounding and the Hessian not negative a fit is listed. Weights over 100 to 1 make starts of the fits with
+// equal ones, too. Only the ratios of weights matter, up to largest_weight_ratio; orientations of infinite weight are
+// met exactly. The slider by the smallest singular vectors alone is what J. Angeles, S. Bai, "A robust solution of the
+// spherical Burmester problem", print for their example 2.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -23,13 +26,16 @@ namespace burmester::spherical {
 /// report says so: in doubles what heavier orientations leave of the errors would hide their effect.
 inline constexpr double largest_weight_ratio = 1e9;
 
-/// The local minima that the starts lead to, those of smallest largest residual first. `weights`: one for each
-/// orientation, not negative, or none. Preconditions: five orientations or more (four for sliders), those of positive
-/// weight among them.
-std::vector<Found<RR::Design>> best_dyads(std::span<const Pose> poses, std::span<const double> weights = {});
-std::vector<Found<PR::Design>> best_sliders(std::span<const Pose> poses, std::span<const double> weights = {});
+/// Weight of an orientation that is met exactly: the errors of the others are least among the dyads that do so. Up to
+/// four such orientations leave something to fit (three for sliders).
+inline constexpr double met_exactly_weight = std::numeric_limits<double>::infinity();
 
-/// Of these the one whose weighted sum of squares is least; nothing where the fits are not isolated.
+/// The local minima that the starts lead to, those of smallest largest residual first. `weights`: one for each
+/// orientation, not negative, or none. Preconditions: five orientations or more, those of positive weight among them,
+/// and not all of these equal.
+std::vector<Found<RR::Design>> best_dyads(std::span<const Pose> poses, std::span<const double> weights = {});
+
+/// The slider whose weighted sum of squares is least of the local minima. Preconditions as above, four orientations.
 std::optional<Found<PR::Design>> best_slider(std::span<const Pose> poses, std::span<const double> weights = {});
 
 /// Where sliders are asked for and none of the report meets the orientations: adds the best one and says so. The counts

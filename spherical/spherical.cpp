@@ -28,12 +28,11 @@ ModuleInfo describe() {
 
 std::vector<double> weights_of(const Problem& problem) {
   std::vector<double> out;
-  for (const std::optional<double>& weight : problem.weights) {
-    if (!weight) throw NotAvailable("spherical synthesis with orientations that are met exactly among more than five");
-    out.push_back(*weight);
-  }
+  for (const std::optional<double>& weight : problem.weights) out.push_back(weight.value_or(met_exactly_weight));
   if (std::count(out.begin(), out.end(), 0.0) + 5 >= static_cast<std::ptrdiff_t>(problem.poses.size()) && !out.empty())
     throw NotAvailable("spherical synthesis with weights that leave fewer than six orientations");
+  if (std::count(out.begin(), out.end(), met_exactly_weight) > 4)
+    throw NotAvailable("more than four orientations met exactly among others: those alone leave finitely many dyads");
   return out;
 }
 

@@ -19,7 +19,8 @@ namespace burmester {
 /// cbrt(2^-52): balances the h^2 of the difference against the epsilon / h of rounding.
 inline constexpr double difference_step = 6.1e-6;
 
-/// Largest distance between the images of the origin; 1 where all coincide, as on the sphere.
+/// Distance from one image of the origin to the farthest one, the one being that farthest from the first: no less than
+/// half of the largest distance between two. 1 where all coincide, as on the sphere. Precondition: one pose or more.
 template <PoseSpace S>
 double extent(std::span<const typename S::Pose> poses) {
   const auto origin = [](const typename S::Pose& pose) -> FeatureOf<S> {
@@ -27,11 +28,12 @@ double extent(std::span<const typename S::Pose> poses) {
     return S::template act<double>(x, FeatureOf<S>::Zero()) / S::template norm<double>(x);
   };
   std::vector<FeatureOf<S>> origins;
-  for (const auto& p : poses)
-    if (const FeatureOf<S> o = origin(p); origins.empty() || o != origins.back()) origins.push_back(o);
-  double largest = 0;
-  for (const auto& o : origins)
-    for (const auto& other : origins) largest = std::max(largest, S::distance(o, other));
+  for (const auto& p : poses) origins.push_back(origin(p));
+  const auto away = [&](const FeatureOf<S>& from) {
+    return [&](const FeatureOf<S>& a, const FeatureOf<S>& b) { return S::distance(from, a) < S::distance(from, b); };
+  };
+  const FeatureOf<S>& one = *std::max_element(origins.begin(), origins.end(), away(origins[0]));
+  const double largest = S::distance(one, *std::max_element(origins.begin(), origins.end(), away(one)));
   return largest > 0 ? largest : 1;
 }
 

@@ -282,8 +282,35 @@ TEST(SphericalLeastSquares, TheBestSliderOfExampleTwo) {
   EXPECT_NEAR(slider->residual, 0.004610868776679 * std::numbers::pi / 180, 1e-8);  // 89.995389131223 deg at pose 1
 }
 
-TEST(SphericalModule, AnswersManyOrientationsAndRefusesExactWeights) {
-  Random random("SphericalModule.AnswersManyOrientationsAndRefusesExactWeights");
+/// Multipliers against very large weights: the same fits, but met to rounding.
+TEST(SphericalLeastSquares, ExactOrientationsAreMetAndTheOthersFitBest) {
+  Random random("SphericalLeastSquares.ExactOrientationsAreMetAndTheOthersFitBest");
+  int fits = 0;
+  for (const std::size_t exact : {1, 2, 3, 4})
+    for (int i = 0; i < 3; ++i) {
+      SCOPED_TRACE(testing::Message() << exact << ' ' << i);
+      const std::vector<Pose> poses = with_errors(planted(RR::random_design(random), random, 9), 0.03, random);
+      std::vector<double> weights(9, 1), heavy = weights;
+      std::fill_n(weights.begin() + 2, exact, met_exactly_weight), std::fill_n(heavy.begin() + 2, exact, 1e8);
+      const auto met = best_dyads(poses, weights), near = best_dyads(poses, heavy);
+      ASSERT_FALSE(met.empty());
+      for (const auto& f : met) {
+        ++fits;
+        for (std::size_t j = 2; j < 2 + exact; ++j) EXPECT_LT(std::abs(RR::residual(f.design, poses[j])), 1e-13);
+        EXPECT_TRUE(std::any_of(near.begin(), near.end(), [&](const auto& n) {
+          return difference(n.design, f.design) < 1e-6 * (1 + *f.condition);
+        }));
+      }
+      const auto slider = best_slider(poses, weights);
+      for (std::size_t j = 2; slider && j < 2 + exact; ++j)
+        EXPECT_LT(std::abs(PR::residual(slider->design, poses[j])), 1e-13);
+      EXPECT_TRUE(slider || exact == 4);
+    }
+  EXPECT_GT(fits, 12);
+}
+
+TEST(SphericalModule, AnswersManyOrientationsWithWeights) {
+  Random random("SphericalModule.AnswersManyOrientationsWithWeights");
   const auto module = make_module();
   Problem problem;
   for (const Pose& p : random_poses(random, 8)) problem.poses.push_back({p.w, p.x, p.y, p.z});
@@ -291,6 +318,10 @@ TEST(SphericalModule, AnswersManyOrientationsAndRefusesExactWeights) {
   problem.weights.assign(8, 1.0);
   EXPECT_EQ(module->synthesize(problem).status, Status::approximate);
   problem.weights[2] = std::nullopt;
+  const Synthesis exact = module->synthesize(problem);
+  EXPECT_EQ(exact.status, Status::approximate);
+  EXPECT_NE(exact.message.find("of those that meet the 1 exact"), std::string::npos) << exact.message;
+  problem.weights.assign(8, std::nullopt);
   EXPECT_THROW(module->synthesize(problem), NotAvailable);
   problem.weights.clear(), problem.poses.resize(5), problem.types = {"PR"};
   const Synthesis sliders = module->synthesize(problem);
