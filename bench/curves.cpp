@@ -206,8 +206,8 @@ BENCHMARK(traced_arcs);
 
 /// The proved distance between chord and curve; infinite where the test fails.
 double error_of(const TubeCurve& curve, const TubePoint& x, const TubePoint& y) {
-  const double dx = y.at[0] - x.at[0], dy = y.at[1] - x.at[1], size = std::sqrt(dx * dx + dy * dy);
-  const auto proved = tube(curve, x, y, {-dy / size, dx / size, 0});
+  const double dx = y.at[0] - x.at[0], dy = y.at[1] - x.at[1], scale = 1 / std::sqrt(dx * dx + dy * dy);
+  const auto proved = tube(curve, x, y, HalfChord::between(x.at, y.at, {-dy * scale, dx * scale, 0}));
   return proved ? proved->radius : std::numeric_limits<double>::infinity();
 }
 

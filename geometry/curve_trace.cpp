@@ -8,30 +8,41 @@
 #include "burmester/geometry/branch_box.hpp"
 #include "burmester/geometry/partners_about.hpp"
 #include "burmester/geometry/range.hpp"
-#include "burmester/geometry/trace_charts.hpp"
+#include "burmester/geometry/trace_pieces.hpp"
 
 namespace burmester {
 namespace {
 
 using namespace detail;  // the charts and their samples
 constexpr int first_chords = 8;
-constexpr int deep = 20, deepest = 200;    // halvings: from where doubles may fail to tell points apart, and a guard
-constexpr double told = 0x1p-10;           // well below half a chord, which a point that is to lie elsewhere must miss
-constexpr double short_passage = 0x1p-12;  // from here on boxes are tried where tubes fail; a matter of speed only
+constexpr double short_step = 0x1p-22,
+                 shortest_step = 0x1p-200;  // where doubles may fail to tell points apart; a guard
+constexpr double told = 0x1p-10;            // well below half a chord, which a point that is to lie elsewhere must miss
+constexpr double aim = 0.85;                // of the allowed error (as a length), for the next chord
+constexpr double short_passage = 0x1p-12;   // from here on boxes are tried where tubes fail; a matter of speed only
 
 template <class Chart>
 class Tracer {
  public:
   Tracer(const Chart& chart, const TubeCurve& curve, const std::optional<PartnerCurve>& partner,
          const TraceOptions& options)
-      : chart_(chart), curve_(curve), partner_(partner), options_(options), tracks_(partner ? 2 : 1) {}
+      : chart_(chart),
+        curve_(curve),
+        partner_(partner),
+        options_(options),
+        tracks_(partner ? 2 : 1),
+        both_(curve, form(tracks_ - 1)),
+        per_longest_(1 / options.longest),
+        per_tolerance_(1 / options.tolerance),
+        pieces_(tracks_, options.tolerance) {}
 
   std::vector<CurvePiece> trace(const CubicBranch& branch) {
+    branch_ = &branch, samples_ = 0, density_ = 0;
+    pieces_.start(branch.component);
     if (branch.passages.empty()) {
-      complete_ = false;
+      pieces_.give_up();
       return {};
     }
-    branch_ = &branch, pieces_.clear(), unbroken_ = true, connected_ = false, samples_ = 0;
     Sample first = sample(start_of(branch.passages.front()), branch.passages.front().sheet);
     first.end = 0;
     find_references(branch.passages.front());
@@ -45,14 +56,12 @@ class Tracer {
         const bool last = k + 1 == first_chords && &passage == &branch.passages.back();
         Sample next = last ? first : sample(to, passage.sheet);
         if (!last) next.end = ++end;
-        follow(at, next, from, to, passage.sheet, 0);
+        march(at, next, from, to, passage.sheet);
       }
-    end_piece();
-    close(first, at);
-    return std::move(pieces_);
+    return pieces_.take(first, at);
   }
 
-  bool complete() const { return complete_; }
+  bool complete() const { return pieces_.complete(); }
 
  private:
   static double start_of(const CubicBranch::Passage& passage) { return passage.backwards ? 1 : -1; }
@@ -60,15 +69,18 @@ class Tracer {
   Sample sample(double s, int sheet) {
     Sample out;
     out.inside = out.near = true;
+    std::array<Point, 2> at;
     Point p = branch_->approximate(s, sheet);
     for (std::size_t k = 0; k < tracks_; ++k) {
-      if (k == 1) p = partner<double>(partner_->approximate, out.track[0].at);
+      if (k == 1) p = partner<double>(partner_->approximate, at[0]);
       out.valid = out.valid && p.squaredNorm() > 0;
-      out.track[k] = TubePoint(chart_.place(p), form(k));
-      out.inside = out.inside && chart_.inside(out.track[k].at, 1);
-      out.near = out.near && chart_.inside(out.track[k].at, margin);
+      at[k] = chart_.place(p);
+      out.inside = out.inside && chart_.inside(at[k], 1);
+      out.near = out.near && chart_.inside(at[k], margin);
     }
     out.inside = out.inside && out.valid, out.near = out.near && out.valid;
+    const Point& other = at[tracks_ - 1];
+    out.both = {side_by_side(at[0], other), both_};
     ++samples_;
     return out;
   }
@@ -76,9 +88,9 @@ class Tracer {
   /// Of two opposite points that are the same axis, those nearer to the sample before.
   decltype(auto) continued(const Sample& before, const Sample& next) const {
     if constexpr (Chart::has_opposites) {
+      const Lanes cosine = TubePointOf<Lanes>::dot(before.both.at, next.both.at);
       Sample out = next;
-      for (std::size_t k = 0; k < tracks_; ++k)
-        if (before.track[k].at.dot(next.track[k].at) < 0) out.track[k] = next.track[k].opposite();
+      out.both = next.both.times({cosine[0] < 0 ? -1.0 : 1.0, cosine[1] < 0 ? -1.0 : 1.0});
       return out;
     } else {
       return (next);
@@ -87,104 +99,144 @@ class Tracer {
 
   const TubeCurve& form(std::size_t track) const { return track == 0 ? curve_ : partner_->curve; }
 
-  /// Leads x to what `end` shows, as the continuation of x.
-  void follow(Sample& x, const Sample& end, double from, double to, int sheet, int depth) {
+  /// Leads x to what `end` shows, as the continuation of x, in steps as long as the last chord lets one expect.
+  void march(Sample& x, const Sample& end, double from, double to, int sheet) {
+    for (double steps; samples_ <= most_ && (steps = std::abs(to - from) * density_) > 1;) {
+      const double next = from + (to - from) / std::ceil(steps);
+      follow(x, sample(next, sheet), from, next, sheet);
+      from = next;
+    }
+    follow(x, end, from, to, sheet);
+  }
+
+  /// The same in steps that are halved, or cut into more parts, where they prove too long.
+  void follow(Sample& x, const Sample& end, double from, double to, int sheet) {
     const Sample& y = continued(x, end);
-    const int parts = step(x, y, from, to, sheet, depth);
+    const int parts = step(x, y, from, to, sheet);
     if (parts == 1) {
       x = y;
       return;
     }
     const double length = (to - from) / parts;
     for (int k = 1; k < parts; ++k)
-      follow(x, sample(from + k * length, sheet), from + (k - 1) * length, from + k * length, sheet, depth + 1);
-    follow(x, end, from + (parts - 1) * length, to, sheet, depth + 1);
+      follow(x, sample(from + k * length, sheet), from + (k - 1) * length, from + k * length, sheet);
+    follow(x, end, from + (parts - 1) * length, to, sheet);
   }
 
   /// Accepts the chord, leaves it out or gives it up: 1. Otherwise as many parts as are to be looked at.
-  int step(const Sample& x, const Sample& y, double from, double to, int sheet, int depth) {
+  int step(const Sample& x, const Sample& y, double from, double to, int sheet) {
     int parts = 2;
     if (x.near && y.near && (x.inside || y.inside)) {
       const Chord chord = judge(x, y, from, to, sheet);
-      if (chord.parts == 1) accept(x, y, chord, from, sheet);
       parts = chord.parts;
+      if (parts == 1) {
+        pieces_.add(x, y, chord, [&](std::size_t k) { return is_on_branch(k, x, y, chord.width[k], from, sheet); });
+        density_ = chord.density;
+      }
     } else if (!x.valid && !y.valid) {
-      give_up();
+      pieces_.give_up();
       parts = 1;
     } else if (x.valid && y.valid && left_out(x, y, from, to, sheet)) {
-      interrupt();
+      pieces_.interrupt();
+      density_ = 0;
       parts = 1;
     }
     if (parts == 1) return 1;
-    const double length = (to - from) / parts;
-    const bool no_more = depth == deepest || samples_ > most_ || from + length == from || to - length == to;
-    if (!no_more && (depth < deep || tells(x, from, sheet) || tells(y, to, sheet))) return parts;
-    give_up();
+    const double length = (to - from) / parts, size = std::abs(length);
+    const bool no_more = size < shortest_step || samples_ > most_ || from + length == from || to - length == to;
+    if (!no_more && (size > short_step || tells(x, from, sheet) || tells(y, to, sheet))) return parts;
+    pieces_.give_up();
     return 1;
   }
 
-  /// parts = 1: accepted, with its proved error; otherwise as many parts as are expected to be.
-  struct Chord {
-    double error = 0;
+  /// parts = 1: accepted; otherwise as many parts as are expected to be.
+  struct Chord : ProvedChord {
     int parts = 2;
-    std::array<double, 2> width{};  ///< of the tubes; infinite: a box proved it, which holds the branch
+    double density = 0;  ///< chords of the allowed error per unit of the parameter
+    Chord() = default;
+    explicit Chord(int p) : parts(p) {}
   };
 
   Chord judge(const Sample& x, const Sample& y, double from, double to, int sheet) const {
-    double error = 0, length = 0;
-    std::array<double, 2> width{};
-    for (std::size_t k = 0; k < tracks_; ++k) length = std::max(length, (y.track[k].at - x.track[k].at).squaredNorm());
-    length = std::sqrt(length);
-    if (length > options_.longest) return {0, parts_for(length / options_.longest)};
-    for (std::size_t k = 0; k < tracks_; ++k) {
-      const TubePoint &a = x.track[k], &b = y.track[k];
-      if (k == 1 && (b.at - a.at).norm() <= options_.tolerance)
-        if (const double extent = partner_extent(x, y, box_of_points(branch_->enclosing, from, to, sheet));
-            extent <= options_.tolerance) {
-          error = std::max(error, extent);
-          width[k] = std::numeric_limits<double>::infinity();
-          continue;
-        }
-      const auto n = chart_.normal(a.at, b.at);
-      const Reference* other = elsewhere(x, y, k);
-      const auto proved = n && other ? tube(form(k), a, b, *n) : std::nullopt;
-      if (!proved) {
-        if (!((b.at - a.at).norm() < options_.tolerance)) return {};
-        const double extent = extent_of_box(k, x, y, from, to, sheet);
-        if (!(extent <= options_.tolerance)) return {};  // also where it is not a number
-        error = std::max(error, extent);
-        width[k] = std::numeric_limits<double>::infinity();
-        continue;
-      }
-      if (over_chord(a, b, *n, proved->radius, other->at, other->off)) return {};
-      error = std::max(error, chart_.error(proved->radius, a.at, b.at));
-      width[k] = proved->width;
-    }
-    if (error <= options_.tolerance) return {error, 1, width};
-    return {error, parts_for(std::sqrt(error / options_.tolerance)), width};
+    const Lanes squares = squared_distances(x, y);
+    const double length = largest(squares) * per_longest_ * per_longest_;
+    if (length > 1) return Chord(parts_for(std::sqrt(length)));
+    Chord out;
+    const bool tiny = tracks_ == 2 && squares[1] <= options_.tolerance * options_.tolerance;
+    if (tiny || !judge(x, y, out))
+      for (std::size_t k = 0; k < tracks_; ++k)
+        if (!judge(k, x, y, from, to, sheet, out)) return {};
+    const double ratio = std::sqrt(std::max(out.error * per_tolerance_, length));
+    if (out.error > options_.tolerance) return Chord(parts_for(ratio));
+    out.parts = 1, out.density = std::max(ratio, 0.25) / (aim * std::abs(to - from));
+    return out;
   }
+
+  /// Whether tubes prove it, on both tracks at once, and plainly; with an error that may be larger than the tolerance.
+  bool judge(const Sample& x, const Sample& y, Chord& out) const {
+    const auto chord = chart_.chord(x.both.at, y.both.at);
+    const Reference* other = elsewhere(x, y, largest);
+    const auto proved = chord && other ? tube(both_, x.both, y.both, *chord) : std::nullopt;
+    if (!proved || !beside_chord(x.both, y.both, *chord, proved->radius, other->at, other->off)) return false;
+    const Lanes error = chart_.error(proved->radius, x.both.at, y.both.at);
+    out.error = largest(error);
+    out.width = {proved->width[0], proved->width[1]};
+    return true;
+  }
+
+  /// Whether tubes or boxes prove it on one track.
+  bool judge(std::size_t k, const Sample& x, const Sample& y, double from, double to, int sheet, Chord& out) const {
+    const TubePoint a = x.track(k), b = y.track(k);
+    const auto by_box = [&](double extent) {
+      if (!(extent <= options_.tolerance)) return false;  // also where it is not a number
+      out.error = std::max(out.error, extent);
+      out.width[k] = ProvedChord::by_box;
+      return true;
+    };
+    const bool tiny = (b.at - a.at).squaredNorm() <= options_.tolerance * options_.tolerance;
+    if (k == 1 && tiny && by_box(partner_extent(x, y, box_of_points(branch_->enclosing, from, to, sheet)))) return true;
+    const auto chord = chart_.chord(a.at, b.at);
+    const Reference* other = elsewhere(x, y, k);
+    const auto proved = chord && other ? tube(form(k), a, b, *chord) : std::nullopt;
+    if (!proved) return tiny && by_box(extent_of_box(k, x, y, from, to, sheet));
+    if (over_chord(a, b, *chord, proved->radius, other->of(k), other->off[k])) return false;
+    out.error = std::max(out.error, chart_.error(proved->radius, a.at, b.at));
+    out.width[k] = proved->width;
+    return true;
+  }
+
   struct Reference {
-    int end;  ///< as in Sample
-    Point at;
-    double off = 0;  ///< how far a point of the branch may be from it, as an angle
+    int end;           ///< as in Sample
+    Point2<Lanes> at;  ///< unit
+    Lanes off;         ///< how far a point of the branch may be from it, as an angle
+    Point of(std::size_t k) const { return {at[0][k], at[1][k], at[2][k]}; }
   };
   /// Ends of first chords where a box tells the point of each track.
   void find_references(const CubicBranch::Passage& passage) {
-    references_ = {};
+    references_.clear();
+    std::array<int, 2> found{};
     for (const int k : {0, 4, 2, 6, 1, 3, 5, 7}) {
-      if (references_[0].size() == 2 && references_[tracks_ - 1].size() == 2) return;
+      if (found[0] >= 2 && found[tracks_ - 1] >= 2) return;
       const double s = start_of(passage) * (1 - 2.0 * k / first_chords);
-      const Sample at = sample(s, passage.sheet);
+      const Sample sampled = sample(s, passage.sheet);
       const std::array<Box, 2> box = boxes(s, s, passage.sheet);
-      for (std::size_t track = 0; track < tracks_; ++track)
-        if (const double off = distance_from_box(box[track], at.track[track].unit().at); off < told)
-          references_[track].push_back({k, at.track[track].at, off});
+      const TubePointOf<Lanes> at = sampled.both.unit();
+      std::array<double, 2> off{};
+      for (std::size_t track = 0; track < 2; ++track) {
+        off[track] = distance_from_box(box[std::min(track, tracks_ - 1)], sampled.track(track).unit().at);
+        found[track] += off[track] < told;
+      }
+      references_.push_back({k, at.at, {off[0], off[1]}});
     }
   }
   /// A point of the track that is not between x and y, nor one of them; none where no box tells one.
   const Reference* elsewhere(const Sample& x, const Sample& y, std::size_t track) const {
-    for (const Reference& reference : references_[track])
-      if (reference.end != x.end && reference.end != y.end) return &reference;
+    return elsewhere(x, y, [&](const Lanes& off) { return off[track]; });
+  }
+  template <class Off>
+  const Reference* elsewhere(const Sample& x, const Sample& y, const Off& off) const {
+    for (const Reference& reference : references_)
+      if (reference.end != x.end && reference.end != y.end && off(reference.off) < told) return &reference;
     return nullptr;
   }
   static int parts_for(double ratio) {
@@ -193,7 +245,7 @@ class Tracer {
 
   double extent_of_box(std::size_t k, const Sample& x, const Sample& y, double from, double to, int sheet) const {
     const std::array<Box, 2> box = boxes(from, to, sheet);
-    const double extent = chart_.extent(box[k], x.track[k].at, y.track[k].at);
+    const double extent = chart_.extent(box[k], x.at(k), y.at(k));
     return k == 1 && !(extent <= options_.tolerance) ? partner_extent(x, y, box[0]) : extent;
   }
 
@@ -209,7 +261,7 @@ class Tracer {
 
   /// As Chart::extent, of the partners of a box: no matter how long it is where all of them are one point.
   double partner_extent(const Sample& x, const Sample& y, const Box& p) const {
-    return chart_.extent(partners_about(*partner_, x.track[1].at, p), x.track[1].at, y.track[1].at);
+    return chart_.extent(partners_about(*partner_, x.at(1), p), x.at(1), y.at(1));
   }
 
   /// Whether doubles tell where on the curves x is: not so beside a point that has a line of partners.
@@ -223,129 +275,20 @@ class Tracer {
     for (std::size_t k = 0; k < tracks_; ++k) {
       const Reference* other = elsewhere(x, y, k);
       const auto at_x = [&] { return boxes(from, from, sheet)[k]; };
-      if (other && chart_.outside(form(k), x.track[k], y.track[k], other->at, other->off, at_x)) return true;
+      if (other && chart_.outside(form(k), x.track(k), y.track(k), other->of(k), other->off[k], at_x)) return true;
     }
     if (std::abs(to - from) > short_passage) return false;
     const std::array<Box, 2> box = boxes(from, to, sheet);  // near singular points no tube can be proved
     return chart_.outside(box[0]) || (tracks_ == 2 && chart_.outside(box[1]));
   }
 
-  void accept(const Sample& x, const Sample& y, const Chord& chord, double from, int sheet) {
-    if (!connected_) {
-      pieces_.emplace_back();
-      pieces_.back().component = branch_->component;
-      append(x);
-      merged_.open = unproved_ = false, runs_ = {};
-    }
-    connected_ = true;
-    for (std::size_t k = 0; k < tracks_; ++k) continue_run(k, x, y, chord, from, sheet);
-    merge_or_append(x, y, chord);
-  }
-
-  /// Chords with tubes, one after the other, follow one part of the curve. It is this branch if one point of it is
-  /// proved to be. A box holds the branch itself, and ends the run.
-  void continue_run(std::size_t k, const Sample& x, const Sample& y, const Chord& chord, double from, int sheet) {
-    Run& run = runs_[k];
-    if (!std::isfinite(chord.width[k])) {
-      unproved_ = unproved_ || run == Run::claimed;
-      run = Run::none;
-    } else if (run != Run::proved) {
-      run = is_on_branch(k, x, y, chord.width[k], from, sheet) ? Run::proved : Run::claimed;
-    }
-  }
-
-  /// Near singular points chords are far shorter than the tolerance. Those that lie in a disc about the beginning x of
-  /// the first become one: the curve is within their largest error of them, and they are within the disc's radius of x.
-  void merge_or_append(const Sample& x, const Sample& y, const Chord& chord) {
-    CurvePiece& piece = pieces_.back();
-    double error = chord.error;
-    const bool by_box = !std::isfinite(chord.width[0]) || !std::isfinite(chord.width[1]);
-    if (by_box) {
-      const auto distance = [&](const Sample& from) {
-        double out = 0;
-        for (std::size_t k = 0; k < tracks_; ++k) out = std::max(out, (y.track[k].at - from.track[k].at).norm());
-        return out;
-      };
-      const Merged more{merged_.from, std::max(merged_.reach, distance(merged_.from)), std::max(merged_.error, error),
-                        true};
-      if (merged_.open && more.reach + more.error <= options_.tolerance) {
-        piece.points.pop_back();
-        if (tracks_ == 2) piece.partners.pop_back();
-        merged_ = more;
-        error = more.reach + more.error;
-      } else {
-        merged_ = {x, distance(x), error, true};
-      }
-    }
-    merged_.open = by_box;
-    append(y);
-    piece.max_error = std::max(piece.max_error, error);
-  }
-
   /// Whether the box that holds the branch at x lies in the tube of the chord, or in a wider one.
   bool is_on_branch(std::size_t k, const Sample& x, const Sample& y, double width, double from, int sheet) const {
-    const TubePoint &a = x.track[k], &b = y.track[k];
+    const TubePoint a = x.track(k), b = y.track(k);
     const double extent = chart_.extent(boxes(from, from, sheet)[k], a.at, a.at);
     if (extent <= width) return true;
-    const auto n = chart_.normal(a.at, b.at);
-    return std::isfinite(extent) && n && tube(form(k), a, b, *n, extent);
-  }
-
-  /// Where a part cannot be proved. What was proved beside it is not shown if it is smaller than the tolerance.
-  void give_up() {
-    complete_ = false;
-    const auto tiny = [&](const std::vector<Point>& all) {
-      return std::ranges::all_of(all, [&](const Point& p) { return (p - all[0]).norm() <= options_.tolerance; });
-    };
-    if (connected_) unproved_ = unproved_ || (tiny(pieces_.back().points) && tiny(pieces_.back().partners));
-    interrupt();
-  }
-  void interrupt() {
-    end_piece();
-    connected_ = unbroken_ = false;
-  }
-  /// A piece that could not be proved to be of this branch is not shown.
-  void end_piece() {
-    const bool claimed = std::ranges::find(runs_, Run::claimed) != runs_.end();
-    if (!connected_ || !(unproved_ || claimed)) return;
-    pieces_.pop_back();
-    connected_ = unbroken_ = complete_ = false;
-  }
-
-  void append(const Sample& x) {
-    pieces_.back().points.push_back(x.track[0].at);
-    if (tracks_ == 2) pieces_.back().partners.push_back(x.track[1].at);
-  }
-
-  /// Joins the end of the branch to its beginning.
-  void close(const Sample& first, const Sample& last) {
-    if (pieces_.empty()) return;
-    CurvePiece& end = pieces_.back();
-    if (unbroken_) {
-      if (first.track[0].at.dot(last.track[0].at) < 0 || (tracks_ == 2 && first.track[1].at.dot(last.track[1].at) < 0))
-        go_on(end, CurvePiece(end), first, last);  // round again
-      end.points.pop_back();
-      if (tracks_ == 2) end.partners.pop_back();
-      end.closed = true;
-      return;
-    }
-    CurvePiece& begin = pieces_.front();
-    if (pieces_.size() < 2 || !connected_ || begin.points.front() != first.track[0].at) return;
-    go_on(end, begin, first, last);
-    end.max_error = std::max(end.max_error, begin.max_error);
-    pieces_.erase(pieces_.begin());
-  }
-
-  /// Appends what follows `first` to what ends at `last`: the same, or on the sphere the opposite, as may be its
-  /// partner.
-  static void go_on(CurvePiece& piece, const CurvePiece& next, const Sample& first, const Sample& last) {
-    const auto append = [](std::vector<Point>& to, const std::vector<Point>& from, const TubePoint& a,
-                           const TubePoint& b) {
-      const double sign = a.at.dot(b.at) < 0 ? -1 : 1;
-      for (std::size_t k = 1; k < from.size(); ++k) to.push_back(sign * from[k]);
-    };
-    append(piece.points, next.points, first.track[0], last.track[0]);
-    if (!piece.partners.empty()) append(piece.partners, next.partners, first.track[1], last.track[1]);
+    const auto chord = chart_.chord(a.at, b.at);
+    return std::isfinite(extent) && chord && tube(form(k), a, b, *chord, extent);
   }
 
   Chart chart_;
@@ -353,18 +296,13 @@ class Tracer {
   const std::optional<PartnerCurve>& partner_;
   TraceOptions options_;
   std::size_t tracks_;
+  TubeCurveOf<Lanes> both_;
+  double per_longest_, per_tolerance_;
   const CubicBranch* branch_ = nullptr;
-  std::array<std::vector<Reference>, 2> references_;
-  enum class Run { none, claimed, proved };
-  std::array<Run, 2> runs_{};  ///< of chords with tubes, on each track
-  std::vector<CurvePiece> pieces_;
-  struct Merged {
-    Sample from;
-    double reach = 0, error = 0;
-    bool open = false;
-  } merged_;  ///< the last chord, if a box proved it
-  bool unbroken_ = true, connected_ = false, unproved_ = false, complete_ = true;
+  std::vector<Reference> references_;
+  TracePieces pieces_;
   int samples_ = 0, most_ = 0;
+  double density_ = 0;  ///< chords per unit of the parameter that the last one lets one expect; 0: not known
 };
 
 template <class Chart>

@@ -3,7 +3,8 @@
 //
 // A chord is accepted when the tube test (curve_tube.hpp) proves that the curve is a graph over it within the
 // tolerance, or, near singular points, when the whole part of the branch lies in a box smaller than the tolerance;
-// otherwise it is cut into two to eight. So chords are short where the curve bends. Parts outside the window are left
+// otherwise it is cut into two to eight. The next chord is as long as the last one lets one expect: chords are short
+// where the curve bends. Parts outside the window are left
 // out only where a box, or a tube that a box ties to the branch, proves that they are outside.
 #pragma once
 

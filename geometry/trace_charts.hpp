@@ -17,13 +17,31 @@ using Point = Point2<double>;
 using Box = Point2<Interval>;
 inline constexpr double margin = 1.02;  ///< how far outside the window the last point of a piece may be
 
-/// A point of the curve and its partner, as each chart shows them.
+inline Point2<Lanes> side_by_side(const Point& a, const Point& b) {
+  return {Lanes(a[0], b[0]), Lanes(a[1], b[1]), Lanes(a[2], b[2])};
+}
+
+/// A point of the curve and its partner, as each chart shows them, side by side; the point twice if it has none.
 struct Sample {
-  std::array<TubePoint, 2> track;
+  TubePointOf<Lanes> both;
   bool valid = true;                  ///< not so where a point has no single partner
   bool inside = false, near = false;  ///< of the window; of the window with its margin
   int end = -1;                       ///< number of the end of first chords that it is
+
+  Point at(std::size_t k) const { return {both.at[0][k], both.at[1][k], both.at[2][k]}; }
+  TubePoint track(std::size_t k) const {
+    TubePoint out;
+    out.at = at(k), out.gradient = {both.gradient[0][k], both.gradient[1][k], both.gradient[2][k]};
+    out.value = both.value[k], out.size = both.size[k];
+    return out;
+  }
 };
+
+inline double largest(const Lanes& of) { return std::max(of[0], of[1]); }
+inline Lanes squared_distances(const Sample& x, const Sample& y) {
+  const Point2<Lanes> way = y.both.at - x.both.at;
+  return TubePointOf<Lanes>::dot(way, way);
+}
 
 /// Largest angle between an axis of the box and two unit vectors, where it is below about 0.9 rad; infinite where the
 /// box does not tell.
@@ -44,6 +62,15 @@ inline double patch_of_box(const Box& box, const Point& x, const Point& y) {
 /// The same from one unit vector.
 inline double distance_from_box(const Box& box, const Point& x) { return patch_of_box(box, x, x); }
 
+/// Of two unit vectors; across their plane. Not a number where they are the same.
+template <class T>
+HalfChordOf<T> chord_between_axes(const Point2<T>& x, const Point2<T>& y) {
+  const T half(0.5), one(1);
+  const Vector<T, 3> across = x.cross(y), d = (y - x) * half;
+  const T length = TubePointOf<T>::length_of(d);
+  return {d, across * (one / TubePointOf<T>::length_of(across)), length, one / length};
+}
+
 /// The affine plane z = 1, seen through a square window.
 class Plane {
  public:
@@ -52,17 +79,25 @@ class Plane {
   /// (x, y, 1) near the window, a unit vector elsewhere.
   Point place(const Point& x) const {
     const double reach = margin * window_ * std::abs(x[2]);
-    return x[2] != 0 && std::abs(x[0]) <= reach && std::abs(x[1]) <= reach ? Point(x / x[2]) : Point(x.normalized());
+    if (!(std::abs(x[0]) <= reach && std::abs(x[1]) <= reach) || x[2] == 0) return x.normalized();
+    const double scale = 1 / x[2];
+    return {x[0] * scale, x[1] * scale, 1};
   }
   bool inside(const Point& x, double factor) const {
     const double reach = factor * window_ * std::abs(x[2]);
     return std::abs(x[0]) <= reach && std::abs(x[1]) <= reach;
   }
-  static std::optional<Vector<double, 3>> normal(const Point& x, const Point& y) {
-    const double dx = y[0] - x[0], dy = y[1] - x[1], size = std::sqrt(dx * dx + dy * dy);
-    return Vector<double, 3>(-dy / size, dx / size, 0);
+  /// Not a number where the points are the same. Precondition: their third coordinates are 1.
+  template <class T>
+  static std::optional<HalfChordOf<T>> chord(const Point2<T>& x, const Point2<T>& y) {
+    const Vector<T, 3> d = (y - x) * T(0.5);
+    const T length = TubePointOf<T>::length_of(d), scale = T(1) / length;
+    return HalfChordOf<T>{d, {-d[1] * scale, d[0] * scale, T(0)}, length, scale};
   }
-  static double error(double radius, const Point&, const Point&) { return radius; }
+  template <class T>
+  static T error(const T& radius, const Point2<T>&, const Point2<T>&) {
+    return radius;
+  }
   /// Whether the tube test proves that the curve between two points, without those within
   /// `off` of z, passes the window on one side. box():
   /// holds the point of the branch at the first of them, so that it is this branch which the tube follows.
@@ -74,10 +109,11 @@ class Plane {
       const double sign = x.at[k] < 0 ? -1 : 1, gap = std::min(sign * x.at[k] - window_ * std::abs(x.at[2]),
                                                                sign * y.at[k] - window_ * std::abs(y.at[2]));
       if (!(gap > 0)) continue;
-      const Vector<double, 3> across = x.at.cross(y.at), n = across / across.norm();
+      const HalfChord chord = chord_between_axes(x.at, y.at);
       const double extent = distance_from_box(box(), x.at);
-      const auto proved = std::isfinite(extent) ? tube(curve, x, y, n, extent) : std::nullopt;
-      if (proved && proved->radius * (1 + window_) < gap && !over_chord(x, y, n, proved->radius, z, off)) return true;
+      const auto proved = std::isfinite(extent) ? tube(curve, x, y, chord, extent) : std::nullopt;
+      if (proved && proved->radius * (1 + window_) < gap && !over_chord(x, y, chord, proved->radius, z, off))
+        return true;
     }
     return false;
   }
@@ -105,14 +141,14 @@ class Sphere {
   static constexpr bool has_opposites = true;
   static Point place(const Point& x) { return x.normalized(); }
   static bool inside(const Point&, double) { return true; }
-  static std::optional<Vector<double, 3>> normal(const Point& x, const Point& y) {
-    const Vector<double, 3> across = x.cross(y);
-    const double size = across.norm();
-    if (!(size > 0) || !(x.dot(y) > 0.5)) return std::nullopt;
-    return Vector<double, 3>(across / size);
+  template <class T>
+  static std::optional<HalfChordOf<T>> chord(const Point2<T>& x, const Point2<T>& y) {
+    if (!all_positive(TubePointOf<T>::dot(x, y) - T(0.5))) return std::nullopt;
+    return chord_between_axes(x, y);
   }
-  static double error(double radius, const Point& x, const Point& y) {
-    return 2 * radius / (x + y).norm() * (1 + 0x1p-40);
+  template <class T>
+  static T error(const T& radius, const Point2<T>& x, const Point2<T>& y) {
+    return 2 * radius / TubePointOf<T>::length_of(x + y) * (1 + 0x1p-40);
   }
   template <class BoxOf>
   static bool outside(const TubeCurve&, const TubePoint&, const TubePoint&, const Point&, double, const BoxOf&) {

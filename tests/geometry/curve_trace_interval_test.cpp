@@ -1,4 +1,5 @@
 #include "burmester/geometry/curve_trace.hpp"
+#include "burmester/geometry/trace_charts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -203,7 +204,7 @@ TEST(CurveTrace, TheTubeOfAChordOfACircleIsItsSagitta) {
   const TubeCurve circle(f);
   for (const double angle : {0.001, 0.01, 0.1, 0.3}) {
     const Point x(1, 0, 1), y(std::cos(angle), std::sin(angle), 1), n(std::cos(angle / 2), std::sin(angle / 2), 0);
-    const auto radius = tube(circle, TubePoint(x, circle), TubePoint(y, circle), n);
+    const auto radius = tube(circle, TubePoint(x, circle), TubePoint(y, circle), HalfChord::between(x, y, n));
     ASSERT_TRUE(radius) << angle;
     EXPECT_GE(radius->radius, 1 - std::cos(angle / 2));
     EXPECT_LE(radius->radius, 1.5 * (1 - std::cos(angle / 2)) + 1e-14) << angle;
@@ -214,10 +215,48 @@ TEST(CurveTrace, TheTubeTestRefusesChordsAcrossANodeAndBetweenBranches) {
   const TubeCurve node(cubic_of<double>(weierstrass(1, 0, 0)));  // y^2 = x^2 (x + 1), slopes 1 and -1 at the node
   const auto point = [&](double x, double sign) { return TubePoint({x, sign * x * std::sqrt(x + 1), 1}, node); };
   const Vector<double, 3> along(-std::sqrt(0.5), std::sqrt(0.5), 0), across(0, 1, 0);
-  EXPECT_FALSE(tube(node, point(-0.01, 1), point(0.01, 1), along));
-  EXPECT_FALSE(tube(node, point(0.1, 1), point(0.1, -1), Vector<double, 3>(1, 0, 0)));
-  EXPECT_FALSE(tube(node, point(0.1, 1), point(0.11, -1), across));
-  EXPECT_TRUE(tube(node, point(0.1, 1), point(0.11, 1), along));
+  const auto is_tube = [&](const TubePoint& x, const TubePoint& y, const Vector<double, 3>& n) {
+    return tube(node, x, y, HalfChord::between(x.at, y.at, n)).has_value();
+  };
+  EXPECT_FALSE(is_tube(point(-0.01, 1), point(0.01, 1), along));
+  EXPECT_FALSE(is_tube(point(0.1, 1), point(0.1, -1), Vector<double, 3>(1, 0, 0)));
+  EXPECT_FALSE(is_tube(point(0.1, 1), point(0.11, -1), across));
+  EXPECT_TRUE(is_tube(point(0.1, 1), point(0.11, 1), along));
+}
+
+TEST(CurveTrace, TwoTubesSideBySideAreThoseOneByOne) {
+  Random random("CurveTrace.TwoTubes");
+  int proved = 0;
+  for (int k = 0; k < 2000; ++k) {
+    std::array<Cubic<double>, 2> f;
+    for (Cubic<double>& cubic : f)
+      for (double& c : cubic.c) c = random.normal();
+    const TubeCurve a(f[0]), b(f[1], 1e-9);
+    const Point x(random.normal(), random.normal(), 1),
+        step = std::ldexp(random.uniform(), -random.below(20)) * Point(1, 0, 0);
+    const auto on = [&](const TubeCurve& curve, Point p) {  // near the curve, by Newton's method along y
+      for (int i = 0; i < 30; ++i) p[1] -= TubePoint(p, curve).value / curve.form().gradient(p)[1];
+      return p;
+    };
+    const std::array<Point, 2> first{on(a, x), on(b, x)}, second{on(a, first[0] + step), on(b, first[1] + step)};
+    const Vector<double, 3> n(0, 1, 0);
+    const auto one =
+                   tube(a, TubePoint(first[0], a), TubePoint(second[0], a), HalfChord::between(first[0], second[0], n)),
+               two =
+                   tube(b, TubePoint(first[1], b), TubePoint(second[1], b), HalfChord::between(first[1], second[1], n));
+    const TubeCurveOf<Lanes> both(a, b);
+    const auto pair = [](const std::array<Point, 2>& p) { return detail::side_by_side(p[0], p[1]); };
+    const auto together = tube(both, {pair(first), both}, {pair(second), both},
+                               HalfChordOf<Lanes>::between(pair(first), pair(second), detail::side_by_side(n, n)));
+    ASSERT_EQ(together.has_value(), one && two) << k;
+    if (!together) continue;
+    ++proved;
+    EXPECT_EQ(together->radius[0], one->radius);
+    EXPECT_EQ(together->radius[1], two->radius);
+    EXPECT_EQ(together->width[0], one->width);
+    EXPECT_EQ(together->width[1], two->width);
+  }
+  EXPECT_GT(proved, 300);
 }
 
 TEST(CurveTrace, ErrorsOfTheCoefficientsCount) {
@@ -225,11 +264,11 @@ TEST(CurveTrace, ErrorsOfTheCoefficientsCount) {
   f.c[2] = 1, f.c[7] = 1, f.c[9] = -1;
   const TubeCurve exact(f), vague(f, 1e-6), hopeless(f, 0.5);
   const Point x(1, 0, 1), y(std::cos(0.01), std::sin(0.01), 1), n(std::cos(0.005), std::sin(0.005), 0);
-  const auto sharp = tube(exact, TubePoint(x, exact), TubePoint(y, exact), n),
-             wide = tube(vague, TubePoint(x, vague), TubePoint(y, vague), n);
+  const auto sharp = tube(exact, TubePoint(x, exact), TubePoint(y, exact), HalfChord::between(x, y, n)),
+             wide = tube(vague, TubePoint(x, vague), TubePoint(y, vague), HalfChord::between(x, y, n));
   ASSERT_TRUE(sharp && wide);
   EXPECT_GT(wide->radius, sharp->radius + 1e-6);  // a circle of radius 1 +- 1e-6 or so
-  EXPECT_FALSE(tube(hopeless, TubePoint(x, hopeless), TubePoint(y, hopeless), n));
+  EXPECT_FALSE(tube(hopeless, TubePoint(x, hopeless), TubePoint(y, hopeless), HalfChord::between(x, y, n)));
 }
 
 TEST(CurveTrace, TwoThreadsTraceAlikeAndTheRoundingModeIsRestored) {
