@@ -72,6 +72,9 @@ std::optional<CubicBranches> branches_by_intervals(const Cubic<Interval>& f, con
 /// For all cubics but those that are singular at on_curve (rung none, with that reason) and the zero form (the same).
 CubicBranches branches_by_rationals(const Cubic<Rational>& f, const Point2<Rational>& on_curve);
 
+/// A line for itself. Below an UpwardRounding.
+CubicBranch line_branch(const LinearForm<Rational>& line, int component);
+
 /// By intervals where they can tell, else by rationals.
 CubicBranches branches_of(const Cubic<Rational>& f, const Point2<Rational>& on_curve);
 

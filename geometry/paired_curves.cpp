@@ -92,6 +92,34 @@ ThreeCorrelations<Interval> independent(ThreeCorrelations<Rational> n, const Mat
   return out;
 }
 
+/// The one line of partners that all three leave to p; zero where p has other partners.
+LinearForm<Rational> common_line_of_partners(const ThreeCorrelations<Rational>& n, const Point2<Rational>& p) {
+  std::array<LinearForm<Rational>, 3> lines;
+  for (std::size_t k = 0; k < 3; ++k) lines[k] = line_of_partners(n[k], p);
+  const auto other = std::ranges::find_if(lines, [](const auto& line) { return !line.isZero(0); });
+  const bool one = other != lines.end() && concurrence(lines).isZero(0);
+  return one ? LinearForm<Rational>(*other / Rational(other->cwiseAbs().maxCoeff())) : LinearForm<Rational>::Zero();
+}
+
+/// Each vertex that has a line of partners, with that line: other points of the curve are not paired with it.
+std::vector<LinearForm<Rational>> lines_of_partners(const ThreeCorrelations<Rational>& n) {
+  std::vector<LinearForm<Rational>> out;
+  std::vector<Point2<Rational>> seen;
+  for (const Correlation<Rational>& each : n) {
+    const Point2<Rational> p = vertex(each);
+    const LinearForm<Rational> line = common_line_of_partners(n, p);
+    const auto same = [&](const Point2<Rational>& q) { return q.cross(p).isZero(0); };
+    if (line.isZero(0) || std::ranges::any_of(seen, same)) continue;
+    seen.push_back(p), out.push_back(line);
+  }
+  return out;
+}
+
+ThreeCorrelations<Interval> transposed(ThreeCorrelations<Interval> n) {
+  for (Correlation<Interval>& each : n) each.transposeInPlace();
+  return n;
+}
+
 }  // namespace
 
 PairedCurves paired_curves(const DecidingCorrelations& correlations, TraceCurve trace, const TraceOptions& options) {
@@ -104,7 +132,19 @@ PairedCurves paired_curves(const DecidingCorrelations& correlations, TraceCurve 
   PairedCurves out{branches.topology, {}};
   if (branches.topology.rung == Rung::none) return out;
   if (nearly) n = independent(correlations.rationals(), *nearly);
-  out.traced = trace(branches, tube_curve(points_with_partner(n)), partner_curve(n), options);
+  const PartnerCurve there = partner_curve(n), back = partner_curve(transposed(n));
+  out.traced = trace(branches, back.curve, there, options);
+  if (branches.topology.singular.empty()) return out;
+  CubicBranches lines;  // of the other curve
+  for (const LinearForm<Rational>& line : lines_of_partners(correlations.rationals()))
+    lines.branches.push_back(line_branch(line, out.topology.isolated > 0 ? out.topology.components - 1 : 0));
+  out.lines_of_partners = static_cast<int>(lines.branches.size());
+  TracedCurve more = trace(lines, there.curve, back, options);
+  out.traced.complete = out.traced.complete && more.complete;
+  for (CurvePiece& piece : more.pieces) {
+    std::swap(piece.points, piece.partners);
+    out.traced.pieces.push_back(std::move(piece));
+  }
   return out;
 }
 

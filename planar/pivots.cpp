@@ -101,7 +101,7 @@ FoundDyad judged(const EnclosedDyad& dyad, Body given, const Vector2& pivot, boo
   }
   judge(found, given, poses);
   if (certify)
-    if (const double radius = error_bound(found.design, dyad.box, poses, poses[0]); std::isfinite(radius))
+    if (const double radius = error_bound(found.design, dyad.box, poses, dyad.from); std::isfinite(radius))
       found.certificate = {true, radius, dyad.box.rung};
   return found;
 }
