@@ -25,7 +25,7 @@ Jet<Interval, 1> positive_root(const Jet<Interval, 1>& x) {
   return {root, x.slope / (2 * root)};
 }
 
-CubicBranch branch(int component, std::vector<CubicBranch::Passage> passages, const BranchForms<Interval>& f) {
+CubicBranch branch(int component, std::vector<CubicBranch::Passage> passages, BranchForms<Interval> f) {
   BranchForms<double> a;
   for (int k = 0; k < 3; ++k)
     a.base[k] = approximate(f.base[k]),
@@ -35,6 +35,12 @@ CubicBranch branch(int component, std::vector<CubicBranch::Passage> passages, co
   a.a = detail::middle(f.a), a.b = detail::middle(f.b), a.c = detail::middle(f.c);
   a.factor = detail::middle(f.factor), a.under_root = detail::middle(f.under_root);
   for (const LocalForm<Interval>& dip : f.dips) a.dips.push_back({dip.from, detail::middle(dip.form)});
+  const auto size = [](const BinaryForm<double>& form) {
+    double out = 0;
+    for (const double x : form.coefficients()) out = std::max(out, std::abs(x));
+    return out;
+  };
+  a.sizes = f.sizes = {size(a.a), size(a.b), size(a.c)};
   return {component, std::move(passages), a, f};
 }
 
@@ -176,10 +182,14 @@ Point2<X> BranchForms<T>::on_sheet(const Point1<X>& q, const X& rest, int sheet)
   X root = factor(q) * positive_root(dip ? (*dip)(q) : under_root(q));
   if (turns) root = root * rest;
   if (sheet < 0) root = -root;
-  // Two vectors of the same direction, of which one may vanish.
   const X twice_a = X(2) * a(q), twice_c = X(2) * c(q), minus_b = -b(q), plus = minus_b + root, minus = minus_b - root;
   const auto size = [](const X& x) { return std::abs(approximate(x)); };
-  if (size(plus) + size(twice_a) >= size(twice_c) + size(minus)) return sum(plus, q, twice_a);
+  // Two vectors of the same direction, of which one may vanish. The point is off the base by h = 2A / plus = minus / 2C,
+  // known to (size of A + h size of B) / plus or to (size of B + h size of C) / 2C unit roundoffs.
+  const double first = size(plus) + size(twice_a), second = size(twice_c) + size(minus),
+               across = size(twice_a) + size(minus), along = size(plus) + size(twice_c);  // h is their quotient
+  if (first * (sizes[1] * along + sizes[2] * across) >= second * (sizes[0] * along + sizes[1] * across))
+    return sum(plus, q, twice_a);
   return sum(twice_c, q, minus);
 }
 

@@ -9,12 +9,16 @@
 namespace burmester {
 namespace {
 
-/// How far the cubic is from being singular at a point of it and from holding its tangent there; zero where it is or
-/// does. A line through the base that nearly splits off is run through while the pencil hardly turns.
+/// How far the cubic is from being singular at a point of it and from holding its tangent there, each as a share of
+/// what would be without cancellation; zero where it is or does. A line through the base that nearly splits off is run
+/// through while the pencil hardly turns.
 double suitability(const Cubic<double>& f, const Point2<double>& base) {
-  const CubicPencil<double> pencil(f, base.normalized());
-  const Point1<double> u{pencil.a.c[1], -pencil.a.c[0]}, tangent = u.normalized();
-  const double out = u.norm() * std::max(std::abs(pencil.b(tangent)), std::abs(pencil.c(tangent)));
+  Cubic<double> sizes;
+  std::ranges::transform(f.c, sizes.c.begin(), [](double c) { return std::abs(c); });
+  const CubicPencil<double> pencil(f, base.normalized()), most(sizes, base.cwiseAbs().normalized());
+  const Point1<double> u{pencil.a.c[1], -pencil.a.c[0]}, tangent = u.normalized(), v = tangent.cwiseAbs();
+  const double out = u.norm() / std::hypot(most.a.c[0], most.a.c[1]) *
+                     std::max(std::abs(pencil.b(tangent)), std::abs(pencil.c(tangent))) / (most.b(v) + most.c(v));
   return out > 0 ? out : 0;  // not a number: singular
 }
 
