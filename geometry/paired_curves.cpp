@@ -105,23 +105,49 @@ LinearForm<Rational> common_line_of_partners(const ThreeCorrelations<Rational>& 
   return one ? LinearForm<Rational>(*other / Rational(other->cwiseAbs().maxCoeff())) : LinearForm<Rational>::Zero();
 }
 
-/// Each vertex that has a line of partners, with that line: other points of the curve are not paired with it.
-std::vector<LinearForm<Rational>> lines_of_partners(const ThreeCorrelations<Rational>& n) {
-  std::vector<LinearForm<Rational>> out;
+/// A point as pieces have it; nothing outside the window.
+std::optional<Point2<double>> placed(const Point2<Rational>& p, bool in_plane, double window) {
+  const Point2<Rational> near = p / Rational(p.cwiseAbs().maxCoeff());
+  const Point2<double> at(approximate(near[0]), approximate(near[1]), approximate(near[2]));
+  if (!in_plane) return at.normalized();
+  if (!(at.head<2>().cwiseAbs().maxCoeff() <= window * std::abs(at[2]))) return std::nullopt;
+  return at / at[2];
+}
+
+TracedCurve traced_line(const LinearForm<Rational>& line, int component, TraceCurve trace,
+                        const TraceOptions& options) {
+  Conic<Interval> squares;
+  for (int k = 0; k < 3; ++k) squares.add_product(LinearForm<Interval>::Unit(k), LinearForm<Interval>::Unit(k), 1);
+  const LinearForm<Interval> form(enclosure(line[0]), enclosure(line[1]), enclosure(line[2]));
+  Cubic<Interval> alone;  // no other real points
+  alone.add_product(form, squares);
+  CubicBranches branches;
+  branches.branches.push_back(line_branch(line, component));
+  return trace(branches, tube_curve(alone), std::nullopt, options);
+}
+
+/// Adds each vertex that has a line of partners, with that line: other points of the curve are not paired with it.
+void add_lines_of_partners(const ThreeCorrelations<Rational>& n, TraceCurve trace, const TraceOptions& options,
+                           PairedCurves& out) {
   std::vector<Point2<Rational>> seen;
   for (const Correlation<Rational>& each : n) {
     const Point2<Rational> p = vertex(each);
     const LinearForm<Rational> line = common_line_of_partners(n, p);
     const auto same = [&](const Point2<Rational>& q) { return q.cross(p).isZero(0); };
     if (line.isZero(0) || std::ranges::any_of(seen, same)) continue;
-    seen.push_back(p), out.push_back(line);
+    seen.push_back(p);
+    ++out.lines_of_partners;
+    const auto at = placed(p, &trace == &trace_in_plane, options.window);
+    if (!at) continue;
+    const int component = out.topology.isolated > 0 ? out.topology.components - 1 : 0;  // else a crossing
+    TracedCurve traced = traced_line(line, component, trace, options);
+    out.traced.complete = out.traced.complete && traced.complete;
+    for (CurvePiece& piece : traced.pieces) {
+      piece.partners.swap(piece.points);
+      piece.points.assign(piece.partners.size(), *at);
+      out.traced.pieces.push_back(std::move(piece));
+    }
   }
-  return out;
-}
-
-ThreeCorrelations<Interval> transposed(ThreeCorrelations<Interval> n) {
-  for (Correlation<Interval>& each : n) each.transposeInPlace();
-  return n;
 }
 
 }  // namespace
@@ -136,19 +162,8 @@ PairedCurves paired_curves(const DecidingCorrelations& correlations, TraceCurve 
   PairedCurves out{branches.topology, {}};
   if (branches.topology.rung == Rung::none) return out;
   if (nearly) n = independent(correlations.rationals(), *nearly);
-  const PartnerCurve there = partner_curve(n), back = partner_curve(transposed(n));
-  out.traced = trace(branches, back.curve, there, options);
-  if (branches.topology.singular.empty()) return out;
-  CubicBranches lines;  // of the other curve
-  for (const LinearForm<Rational>& line : lines_of_partners(correlations.rationals()))
-    lines.branches.push_back(line_branch(line, out.topology.isolated > 0 ? out.topology.components - 1 : 0));
-  out.lines_of_partners = static_cast<int>(lines.branches.size());
-  TracedCurve more = trace(lines, there.curve, back, options);
-  out.traced.complete = out.traced.complete && more.complete;
-  for (CurvePiece& piece : more.pieces) {
-    std::swap(piece.points, piece.partners);
-    out.traced.pieces.push_back(std::move(piece));
-  }
+  out.traced = trace(branches, tube_curve(points_with_partner(n)), partner_curve(n), options);
+  if (!branches.topology.singular.empty()) add_lines_of_partners(correlations.rationals(), trace, options, out);
   return out;
 }
 

@@ -69,6 +69,15 @@ std::string degeneracy_of(FourPoses poses) {
   return DyadForm(poses).degeneracy();
 }
 
+std::string shown(const Vector2& p) { return fmt::format("({:.6g}, {:.6g})", p[0], p[1]); }
+
+std::string described(const CommonPole& pole) {
+  const auto& [i, j, k] = pole.poses;
+  return fmt::format("; poses {}, {} and {} turn about one point, {}, to within {}: one pivot of each dyad is there",
+                     i + 1, j + 1, k + 1, shown(pole.at),
+                     pole.rounded ? "rounding" : fmt::format("{:.1e}", pole.spread));
+}
+
 constexpr CurveWords words{"line", "conic"};
 
 double distance_of(const Point2<double>& p) {
@@ -95,7 +104,8 @@ FourPoseCurves four_pose_curves(FourPoses poses, const CurveOptions& options) {
   const Task task(poses);
   if (task.pole() && task.pole()->all) {
     FourPoseCurves none;
-    none.topology.reason = "every point lies on it to within rounding; all four poses are rotations about one point";
+    none.topology.reason = "every point lies on it to within rounding; all four poses are rotations about one point, " +
+                           shown(task.pole()->at);
     return none;
   }
   PairedCurves curves =
@@ -122,6 +132,7 @@ PlanarReport FourPoseSolver::solve(std::span<const Pose> poses) const {
   if (curves_are_far(four))
     report.message += fmt::format("; the poles are far: listed within {:.3g} of pose 1's origin, {:.3g} task sizes",
                                   window, window / size);
+  if (task.pole()) report.message += described(*task.pole());
   add_sliders(task, report);
   sort_dyads(report);
   return report;

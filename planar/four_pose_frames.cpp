@@ -60,7 +60,8 @@ std::optional<CommonPole> common_pole(FourPoses poses) {
     const RoundedPole &p = pole[i][j], &q = pole[i][k], &r = pole[j][k];
     const double spread = std::max({distance(p, q), distance(p, r), distance(q, r)});
     if (!(spread < best.spread)) continue;
-    best = {{i, j, k}, p.at + Vector2(poses[0].x, poses[0].y), spread, false};
+    best = {{i, j, k}, p.at + Vector2(poses[0].x, poses[0].y), spread, false, false};
+    best.rounded = spread <= p.rounding + q.rounding + r.rounding;
   }
   if (!(best.spread <= together * curve_scale(poses))) return std::nullopt;
   const RoundedPole& one = pole[best.poses[0]][best.poses[1]];

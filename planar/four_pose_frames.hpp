@@ -16,10 +16,11 @@ namespace burmester::planar {
 
 /// Three poses that turn about one point, nearly: their three poles are one to within `spread`.
 struct CommonPole {
-  std::array<std::size_t, 3> poses;  ///< ascending, from 0
-  Vector2 at;                        ///< in S, one of the poles
-  double spread = 0;                 ///< largest distance of two of the poles, length units
-  bool all = false;                  ///< the poles of all four poses are one point, within what rounding the data does
+  std::array<std::size_t, 3> poses{};  ///< ascending, from 0
+  Vector2 at{0, 0};                    ///< in S, one of the poles
+  double spread = 0;                   ///< largest distance of two of the poles, length units
+  bool rounded = false;                ///< not more than what rounding the data may do
+  bool all = false;                    ///< the same holds for all six poles of the four poses
 };
 
 /// The three poses whose poles are closest, where these are within 2^-9 curve scales.

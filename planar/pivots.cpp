@@ -89,7 +89,8 @@ FoundDyad judged(const EnclosedDyad& dyad, Body given, const Vector2& pivot, boo
                  bool certify) {
   const double size = planar::task_size(poses);
   const Slider slider = slider_of(given, pivot, poses);
-  const bool wide = poses.size() > 2 && !(dyad.shown.length <= size);  // two places lie on any line
+  const bool wide = !(dyad.shown.length <= size) &&  // two places lie on any line
+                    detail::three_differ(places_of(given, pivot, poses), slider_departure * size);
   FoundDyad found;
   if (far || !std::isfinite(dyad.shown.length) || (wide && slider.departure <= slider_departure * size)) {
     found.design = planar::design_of(given, pivot, slider);
