@@ -89,8 +89,9 @@ FoundDyad judged(const EnclosedDyad& dyad, Body given, const Vector2& pivot, boo
                  bool certify) {
   const double size = planar::task_size(poses);
   const Slider slider = slider_of(given, pivot, poses);
-  const bool wide = !(dyad.shown.length <= size) &&  // two places lie on any line
-                    detail::three_differ(places_of(given, pivot, poses), slider_departure * size);
+  // Two places lie on any line, and so do those that hardly differ by more than they may leave it.
+  const bool wide = !(dyad.shown.length <= size) &&
+                    detail::three_differ(places_of(given, pivot, poses), 16 * slider_departure * size);
   FoundDyad found;
   if (far || !std::isfinite(dyad.shown.length) || (wide && slider.departure <= slider_departure * size)) {
     found.design = planar::design_of(given, pivot, slider);
