@@ -35,7 +35,7 @@ class FourPoseFrames {
   FourPoses poses() const { return poses_; }
   const std::optional<CommonPole>& pole() const { return pole_; }
   double length() const { return length_; }
-  /// What holds the window about pose 1's origins, in the same unit.
+  /// About the origin, wider by the distance of pose 1's origins, in the same unit.
   double window(double about_pose_1) const { return about_pose_1 + off_; }
   /// p^T N c = 0
   template <class T>
