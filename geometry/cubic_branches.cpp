@@ -25,6 +25,25 @@ Jet<Interval, 1> positive_root(const Jet<Interval, 1>& x) {
   return {root, x.slope / (2 * root)};
 }
 
+CubicBranch branch(int component, std::vector<CubicBranch::Passage> passages, BranchForms<Interval> f) {
+  BranchForms<double> a;
+  for (int k = 0; k < 3; ++k)
+    a.base[k] = approximate(f.base[k]),
+    a.u[static_cast<std::size_t>(k)] = detail::middle(f.u[static_cast<std::size_t>(k)]),
+    a.turn[static_cast<std::size_t>(k)] = detail::middle(f.turn[static_cast<std::size_t>(k)]);
+  a.i = f.i, a.j = f.j, a.turns = f.turns, a.line = f.line;
+  a.a = detail::middle(f.a), a.b = detail::middle(f.b), a.c = detail::middle(f.c);
+  a.factor = detail::middle(f.factor), a.under_root = detail::middle(f.under_root);
+  for (const LocalForm<Interval>& dip : f.dips) a.dips.push_back({dip.from, detail::middle(dip.form)});
+  const auto size = [](const BinaryForm<double>& form) {
+    double out = 0;
+    for (const double x : form.coefficients()) out = std::max(out, std::abs(x));
+    return out;
+  };
+  a.sizes = f.sizes = {size(a.a), size(a.b), size(a.c)};
+  return {component, std::move(passages), a, f};
+}
+
 /// The branches of a scene.
 class Builder {
  public:
@@ -53,16 +72,7 @@ class Builder {
   }
 
   void add(const BranchForms<Interval>& f, std::vector<CubicBranch::Passage> passages) {
-    BranchForms<double> a;
-    for (int k = 0; k < 3; ++k)
-      a.base[k] = approximate(f.base[k]),
-      a.u[static_cast<std::size_t>(k)] = detail::middle(f.u[static_cast<std::size_t>(k)]),
-      a.turn[static_cast<std::size_t>(k)] = detail::middle(f.turn[static_cast<std::size_t>(k)]);
-    a.i = f.i, a.j = f.j, a.turns = f.turns, a.line = f.line;
-    a.a = detail::middle(f.a), a.b = detail::middle(f.b), a.c = detail::middle(f.c);
-    a.factor = detail::middle(f.factor), a.under_root = detail::middle(f.under_root);
-    for (const LocalForm<Interval>& dip : f.dips) a.dips.push_back({dip.from, detail::middle(dip.form)});
-    out_.push_back({static_cast<int>(out_.size()), std::move(passages), a, f});
+    out_.push_back(branch(static_cast<int>(out_.size()), std::move(passages), f));
   }
 
   /// Where no real root turns the branches back: u goes once round the projective line.
@@ -172,10 +182,14 @@ Point2<X> BranchForms<T>::on_sheet(const Point1<X>& q, const X& rest, int sheet)
   X root = factor(q) * positive_root(dip ? (*dip)(q) : under_root(q));
   if (turns) root = root * rest;
   if (sheet < 0) root = -root;
-  // Two vectors of the same direction, of which one may vanish.
   const X twice_a = X(2) * a(q), twice_c = X(2) * c(q), minus_b = -b(q), plus = minus_b + root, minus = minus_b - root;
   const auto size = [](const X& x) { return std::abs(approximate(x)); };
-  if (size(plus) + size(twice_a) >= size(twice_c) + size(minus)) return sum(plus, q, twice_a);
+  // Two vectors of the same direction, of which one may vanish. The point is off the base by h = 2A / plus = minus / 2C,
+  // known to (size of A + h size of B) / plus or to (size of B + h size of C) / 2C unit roundoffs.
+  const double first = size(plus) + size(twice_a), second = size(twice_c) + size(minus),
+               across = size(twice_a) + size(minus), along = size(plus) + size(twice_c);  // h is their quotient
+  if (first * (sizes[1] * along + sizes[2] * across) >= second * (sizes[0] * along + sizes[1] * across))
+    return sum(plus, q, twice_a);
   return sum(twice_c, q, minus);
 }
 
@@ -192,6 +206,19 @@ template struct BranchForms<Interval>;
 using Moving = Jet<Interval, 1>;
 template Point2<Moving> BranchForms<Interval>::on_line(const Moving&) const;
 template Point2<Moving> BranchForms<Interval>::on_sheet(const Point1<Moving>&, const Moving&, int) const;
+
+CubicBranch line_branch(const LinearForm<Rational>& line, int component) {
+  Eigen::Index k = 0;
+  line.cwiseAbs().minCoeff(&k);  // the line meets that side of the triangle of reference in one point
+  const Point2<Rational> to = Point2<Rational>::Unit(k).cross(line), base = line.cross(to);
+  BranchForms<Interval> f;
+  f.line = true, f.i = (static_cast<int>(k) + 1) % 3, f.j = (static_cast<int>(k) + 2) % 3;
+  for (int n = 0; n < 3; ++n) f.base[n] = enclosure(base[n]);
+  f.u.fill({Interval(0), Interval(0)});
+  f.u[0] = {enclosure(to[f.i]), enclosure(to[f.j])};
+  f.turn.fill(Interval(0));
+  return branch(component, {{1, false}}, f);
+}
 
 std::optional<CubicBranches> branches_by_intervals(const Cubic<Interval>& f, const Point2<Interval>& on_curve) {
   const auto scene = detail::cubic_scene(f, on_curve);

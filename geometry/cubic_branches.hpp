@@ -32,6 +32,7 @@ struct BranchForms {
   std::array<Point1<T>, 3> u;        ///< u(s) = u[0] + u[1] s + u[2] s^2
   std::array<T, 3> turn;             ///< the same for u0 u1' - u1 u0', exact where u nearly stands still
   bool turns = false;                ///< the sheets meet at s = -1 and s = 1
+  std::array<double, 3> sizes{1, 1, 1};  ///< largest coefficients of a, b, c
   bool line = false;                 ///< a line through the base: X = (1 - s^2) P + 2 s q(u[0])
 
   Point2<T> operator()(const T& s, int sheet) const;
@@ -71,6 +72,9 @@ std::optional<CubicBranches> branches_by_intervals(const Cubic<Interval>& f, con
 
 /// For all cubics but those that are singular at on_curve (rung none, with that reason) and the zero form (the same).
 CubicBranches branches_by_rationals(const Cubic<Rational>& f, const Point2<Rational>& on_curve);
+
+/// A line for itself. Below an UpwardRounding.
+CubicBranch line_branch(const LinearForm<Rational>& line, int component);
 
 /// By intervals where they can tell, else by rationals.
 CubicBranches branches_of(const Cubic<Rational>& f, const Point2<Rational>& on_curve);

@@ -77,6 +77,7 @@ struct TracedCurve {
 struct PairedCurves {
   CurveTopology topology;  ///< of the points; rung none: not available, `reason` says why
   TracedCurve traced;
+  int lines_of_partners = 0;  ///< singular points each of which is paired with a whole line, which is traced too
 };
 
 }  // namespace burmester

@@ -9,12 +9,16 @@
 namespace burmester {
 namespace {
 
-/// How far the cubic is from being singular at a point of it and from holding its tangent there; zero where it is or
-/// does. A line through the base that nearly splits off is run through while the pencil hardly turns.
+/// How far the cubic is from being singular at a point of it and from holding its tangent there, each as a share of
+/// what would be without cancellation; zero where it is or does. A line through the base that nearly splits off is run
+/// through while the pencil hardly turns.
 double suitability(const Cubic<double>& f, const Point2<double>& base) {
-  const CubicPencil<double> pencil(f, base.normalized());
-  const Point1<double> u{pencil.a.c[1], -pencil.a.c[0]}, tangent = u.normalized();
-  const double out = u.norm() * std::max(std::abs(pencil.b(tangent)), std::abs(pencil.c(tangent)));
+  Cubic<double> sizes;
+  std::ranges::transform(f.c, sizes.c.begin(), [](double c) { return std::abs(c); });
+  const CubicPencil<double> pencil(f, base.normalized()), most(sizes, base.cwiseAbs().normalized());
+  const Point1<double> u{pencil.a.c[1], -pencil.a.c[0]}, tangent = u.normalized(), v = tangent.cwiseAbs();
+  const double out = u.norm() / std::hypot(most.a.c[0], most.a.c[1]) *
+                     std::max(std::abs(pencil.b(tangent)), std::abs(pencil.c(tangent))) / (most.b(v) + most.c(v));
   return out > 0 ? out : 0;  // not a number: singular
 }
 
@@ -92,6 +96,60 @@ ThreeCorrelations<Interval> independent(ThreeCorrelations<Rational> n, const Mat
   return out;
 }
 
+/// The one line of partners that all three leave to p; zero where p has other partners.
+LinearForm<Rational> common_line_of_partners(const ThreeCorrelations<Rational>& n, const Point2<Rational>& p) {
+  std::array<LinearForm<Rational>, 3> lines;
+  for (std::size_t k = 0; k < 3; ++k) lines[k] = line_of_partners(n[k], p);
+  const auto other = std::ranges::find_if(lines, [](const auto& line) { return !line.isZero(0); });
+  const bool one = other != lines.end() && concurrence(lines).isZero(0);
+  return one ? LinearForm<Rational>(*other / Rational(other->cwiseAbs().maxCoeff())) : LinearForm<Rational>::Zero();
+}
+
+/// A point as pieces have it; nothing outside the window.
+std::optional<Point2<double>> placed(const Point2<Rational>& p, bool in_plane, double window) {
+  const Point2<Rational> near = p / Rational(p.cwiseAbs().maxCoeff());
+  const Point2<double> at(approximate(near[0]), approximate(near[1]), approximate(near[2]));
+  if (!in_plane) return at.normalized();
+  if (!(at.head<2>().cwiseAbs().maxCoeff() <= window * std::abs(at[2]))) return std::nullopt;
+  return at / at[2];
+}
+
+TracedCurve traced_line(const LinearForm<Rational>& line, int component, TraceCurve trace,
+                        const TraceOptions& options) {
+  Conic<Interval> squares;
+  for (int k = 0; k < 3; ++k) squares.add_product(LinearForm<Interval>::Unit(k), LinearForm<Interval>::Unit(k), 1);
+  const LinearForm<Interval> form(enclosure(line[0]), enclosure(line[1]), enclosure(line[2]));
+  Cubic<Interval> alone;  // no other real points
+  alone.add_product(form, squares);
+  CubicBranches branches;
+  branches.branches.push_back(line_branch(line, component));
+  return trace(branches, tube_curve(alone), std::nullopt, options);
+}
+
+/// Adds each vertex that has a line of partners, with that line: other points of the curve are not paired with it.
+void add_lines_of_partners(const ThreeCorrelations<Rational>& n, TraceCurve trace, const TraceOptions& options,
+                           PairedCurves& out) {
+  std::vector<Point2<Rational>> seen;
+  for (const Correlation<Rational>& each : n) {
+    const Point2<Rational> p = vertex(each);
+    const LinearForm<Rational> line = common_line_of_partners(n, p);
+    const auto same = [&](const Point2<Rational>& q) { return q.cross(p).isZero(0); };
+    if (line.isZero(0) || std::ranges::any_of(seen, same)) continue;
+    seen.push_back(p);
+    ++out.lines_of_partners;
+    const auto at = placed(p, &trace == &trace_in_plane, options.window);
+    if (!at) continue;
+    const int component = out.topology.isolated > 0 ? out.topology.components - 1 : 0;  // else a crossing
+    TracedCurve traced = traced_line(line, component, trace, options);
+    out.traced.complete = out.traced.complete && traced.complete;
+    for (CurvePiece& piece : traced.pieces) {
+      piece.partners.swap(piece.points);
+      piece.points.assign(piece.partners.size(), *at);
+      out.traced.pieces.push_back(std::move(piece));
+    }
+  }
+}
+
 }  // namespace
 
 PairedCurves paired_curves(const DecidingCorrelations& correlations, TraceCurve trace, const TraceOptions& options) {
@@ -105,6 +163,7 @@ PairedCurves paired_curves(const DecidingCorrelations& correlations, TraceCurve 
   if (branches.topology.rung == Rung::none) return out;
   if (nearly) n = independent(correlations.rationals(), *nearly);
   out.traced = trace(branches, tube_curve(points_with_partner(n)), partner_curve(n), options);
+  if (!branches.topology.singular.empty()) add_lines_of_partners(correlations.rationals(), trace, options, out);
   return out;
 }
 

@@ -7,7 +7,7 @@
 
 namespace burmester::planar {
 
-/// From the first pose's origin in directions of S, length units. T: Rational or RationalInterval.
+/// From a pose's origin in directions of S, length units. T: Rational or RationalInterval.
 template <class T>
 struct PivotPair {
   std::array<T, 2> moving, fixed;
@@ -16,17 +16,19 @@ struct PivotPair {
 struct EnclosedDyad {
   RR::Design shown;
   DyadBox box;
+  Pose from;  ///< that the pair was seen from
 };
 
 template <class T>
-EnclosedDyad enclosed(const PivotPair<T>& pair, const Pose& first) {
-  const T s(first.X3), c(first.X4), n = s * s + c * c, cosine = (c * c - s * s) / n, sine = 2 * s * c / n;
+EnclosedDyad enclosed(const PivotPair<T>& pair, const Pose& from) {
+  const T s(from.X3), c(from.X4), n = s * s + c * c, cosine = (c * c - s * s) / n, sine = 2 * s * c / n;
   const std::array<T, 2> moving{T(cosine * pair.moving[0] + sine * pair.moving[1]),
                                 T(cosine * pair.moving[1] - sine * pair.moving[0])};
   const T x = pair.moving[0] - pair.fixed[0], y = pair.moving[1] - pair.fixed[1], square = x * x + y * y;
   const auto range = [](const T& number) { return range_of(RationalInterval(number)); };
-  const std::array<double, 2> origin{first.x, first.y};
+  const std::array<double, 2> origin{from.x, from.y};
   EnclosedDyad out;
+  out.from = from;
   for (std::size_t i = 0; i < 2; ++i) {
     out.shown.moving[static_cast<int>(i)] = approximate(moving[i]);
     out.shown.fixed[static_cast<int>(i)] = approximate(T(pair.fixed[i] + T(origin[i])));

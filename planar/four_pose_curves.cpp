@@ -12,44 +12,17 @@
 #include "burmester/geometry/line_fit.hpp"
 #include "burmester/geometry/paired_curves.hpp"
 #include "burmester/modules/framework/equal_poses.hpp"
-#include "burmester/planar/anchored_basis.hpp"
 #include "burmester/planar/classify.hpp"
 #include "burmester/planar/dyad_form.hpp"
-#include "burmester/planar/equidistance.hpp"
+#include "burmester/planar/four_pose_frames.hpp"
 #include "burmester/planar/poles.hpp"
 
 namespace burmester::planar {
 namespace {
 
+using Task = FourPoseFrames;
+
 constexpr double farthest_slider = 0x1p31;  // task sizes: at 2^31 its places are rounded by 2^-22 of one
-
-class Task {
- public:
-  explicit Task(FourPoses poses) : poses_(poses), length_(power_of_two_below(curve_scale(poses))) {
-    for (int k = 0; k < 2; ++k) to_body_.col(k) = to_moving({0, 0, first().X3, first().X4}, Vector2::Unit(k));
-  }
-
-  FourPoses poses() const { return poses_; }
-  const Pose& first() const { return poses_[0]; }
-  double length() const { return length_; }
-  template <class T>
-  ThreeCorrelations<T> correlations() const {
-    ThreeCorrelations<T> n;
-    for (std::size_t j = 0; j < 3; ++j) n[j] = equidistance<T>(poses_[0], poses_[j + 1], 1 / length_);
-    return n;
-  }
-  Vector2 moving(const Point2<double>& p) const {  // in E
-    return to_body_ * Vector2(length_ / p[2] * Vector2(p[0], p[1]));
-  }
-  Vector2 fixed(const Point2<double>& c) const {  // in S
-    return length_ / c[2] * Vector2(c[0], c[1]) + Vector2(first().x, first().y);
-  }
-
- private:
-  FourPoses poses_;
-  double length_;
-  Matrix<double, 2, 2> to_body_;  ///< directions of S in E, in pose 1
-};
 
 /// The partner of the real point at infinity of a circular cubic (x^2 + y^2)(c0 x + c6 y) + ..; zero where there is
 /// more than one such point or more than one partner.
@@ -96,6 +69,15 @@ std::string degeneracy_of(FourPoses poses) {
   return DyadForm(poses).degeneracy();
 }
 
+std::string shown(const Vector2& p) { return fmt::format("({:.6g}, {:.6g})", p[0], p[1]); }
+
+std::string described(const CommonPole& pole) {
+  const auto& [i, j, k] = pole.poses;
+  return fmt::format("; poses {}, {} and {} turn about one point, {}, to within {}: one pivot of each dyad is there",
+                     i + 1, j + 1, k + 1, shown(pole.at),
+                     pole.rounded ? "rounding" : fmt::format("{:.1e}", pole.spread));
+}
+
 constexpr CurveWords words{"line", "conic"};
 
 double distance_of(const Point2<double>& p) {
@@ -120,9 +102,15 @@ bool curves_are_far(FourPoses poses, double unit) { return curve_scale(poses) > 
 
 FourPoseCurves four_pose_curves(FourPoses poses, const CurveOptions& options) {
   const Task task(poses);
+  if (task.pole() && task.pole()->all) {
+    FourPoseCurves none;
+    none.topology.reason = "every point lies on it to within rounding; all four poses are rotations about one point, " +
+                           shown(task.pole()->at);
+    return none;
+  }
   PairedCurves curves =
       paired_curves({[&] { return task.correlations<Interval>(); }, [&] { return task.correlations<Rational>(); }},
-                    trace_in_plane, {options.tolerance, options.longest, options.window});
+                    trace_in_plane, {options.tolerance, options.longest, task.window(options.window)});
   if (curves.topology.rung == Rung::none)
     if (const std::string words = degeneracy_of(poses); !words.empty()) curves.topology.reason += "; " + words;
   return curves_in_frames(curves, task);
@@ -144,6 +132,7 @@ PlanarReport FourPoseSolver::solve(std::span<const Pose> poses) const {
   if (curves_are_far(four))
     report.message += fmt::format("; the poles are far: listed within {:.3g} of pose 1's origin, {:.3g} task sizes",
                                   window, window / size);
+  if (task.pole()) report.message += described(*task.pole());
   add_sliders(task, report);
   sort_dyads(report);
   return report;

@@ -36,7 +36,8 @@ struct CurveOptions {
 
 using burmester::FourPoseCurves;
 
-/// Preconditions as for five poses.
+/// Preconditions as for five poses. Where three poses turn nearly about one point, the window is about that point and
+/// wider by its distance from pose 1's origins (planar/four_pose_frames.hpp).
 FourPoseCurves four_pose_curves(FourPoses poses, const CurveOptions& options = {});
 /// The pieces near the poses: window, chords and tolerance of CurveOptions in `unit` task sizes (up to half of that).
 std::vector<CurveRecord> curves_near_poses(FourPoses poses, double unit = 1);

@@ -89,7 +89,9 @@ FoundDyad judged(const EnclosedDyad& dyad, Body given, const Vector2& pivot, boo
                  bool certify) {
   const double size = planar::task_size(poses);
   const Slider slider = slider_of(given, pivot, poses);
-  const bool wide = poses.size() > 2 && !(dyad.shown.length <= size);  // two places lie on any line
+  // Two places lie on any line, and so do those that hardly differ by more than they may leave it.
+  const bool wide = !(dyad.shown.length <= size) &&
+                    detail::three_differ(places_of(given, pivot, poses), 16 * slider_departure * size);
   FoundDyad found;
   if (far || !std::isfinite(dyad.shown.length) || (wide && slider.departure <= slider_departure * size)) {
     found.design = planar::design_of(given, pivot, slider);
@@ -101,7 +103,7 @@ FoundDyad judged(const EnclosedDyad& dyad, Body given, const Vector2& pivot, boo
   }
   judge(found, given, poses);
   if (certify)
-    if (const double radius = error_bound(found.design, dyad.box, poses, poses[0]); std::isfinite(radius))
+    if (const double radius = error_bound(found.design, dyad.box, poses, dyad.from); std::isfinite(radius))
       found.certificate = {true, radius, dyad.box.rung};
   return found;
 }

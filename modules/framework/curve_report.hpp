@@ -1,6 +1,8 @@
 // Four poses: reports of the curve of their dyads, for geometries in which their pivots make two paired curves.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -19,6 +21,7 @@ struct FourPoseCurves {
   CurveTopology topology;  ///< of the circle-point curve; rung none: the poses are degenerate, `reason` says how
   std::vector<CurveRecord> pieces;  ///< moving pivots in E, fixed pivots in S
   bool complete = true;             ///< not so where a part in the window could not be proved, and is not shown
+  int lines_of_partners = 0;        ///< circle points with a whole line of centre points, each a piece of its own
 };
 
 /// A piece in the frames of the bodies. Task: length() is the unit of the traced points, moving(p) and fixed(c) their
@@ -43,7 +46,7 @@ CurveRecord record_of(const CurvePiece& piece, const Task& task) {
 
 template <class Task>
 FourPoseCurves curves_in_frames(const PairedCurves& curves, const Task& task) {
-  FourPoseCurves out{curves.topology, {}, curves.traced.complete};
+  FourPoseCurves out{curves.topology, {}, curves.traced.complete, curves.lines_of_partners};
   for (const CurvePiece& piece : curves.traced.pieces) out.pieces.push_back(record_of(piece, task));
   return out;
 }
@@ -70,7 +73,10 @@ Report<List> curve_report(FourPoseCurves curves, const CurveWords& words) {
   report.message = description_of(curves.topology, words);
   report.counts.dimension = 1;
   report.curves = std::move(curves.pieces);
-  if (curves.topology.isolated > 0)
+  if (curves.lines_of_partners > 0)
+    report.message += fmt::format("; {} of its points {} a whole {} of centre points", curves.lines_of_partners,
+                                  curves.lines_of_partners == 1 ? "has" : "have each", words.line);
+  if (curves.topology.isolated > curves.lines_of_partners)
     report.warnings.push_back("a component of the circle-point curve is a single point and is not listed");
   if (!curves.complete) report.warnings.push_back("a part of the curves could not be proved and is not listed");
   if (curves.complete && report.curves.empty())
