@@ -40,7 +40,7 @@ CubicBranch branch(int component, std::vector<CubicBranch::Passage> passages, Br
     for (const double x : form.coefficients()) out = std::max(out, std::abs(x));
     return out;
   };
-  a.sizes = f.sizes = {size(a.a), size(a.b), size(a.c)};
+  if (size(a.a) < 0x1p-10 * size(a.b)) a.sizes = f.sizes = {size(a.a), size(a.b), size(a.c)};
   return {component, std::move(passages), a, f};
 }
 
