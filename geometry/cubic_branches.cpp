@@ -40,7 +40,7 @@ CubicBranch branch(int component, std::vector<CubicBranch::Passage> passages, Br
     for (const double x : form.coefficients()) out = std::max(out, std::abs(x));
     return out;
   };
-  a.sizes = f.sizes = {size(a.a), size(a.b), size(a.c)};
+  if (size(a.a) < 0x1p-10 * size(a.b)) a.sizes = f.sizes = {size(a.a), size(a.b), size(a.c)};
   return {component, std::move(passages), a, f};
 }
 
@@ -184,8 +184,8 @@ Point2<X> BranchForms<T>::on_sheet(const Point1<X>& q, const X& rest, int sheet)
   if (sheet < 0) root = -root;
   const X twice_a = X(2) * a(q), twice_c = X(2) * c(q), minus_b = -b(q), plus = minus_b + root, minus = minus_b - root;
   const auto size = [](const X& x) { return std::abs(approximate(x)); };
-  // Two vectors of the same direction, of which one may vanish. The point is off the base by h = 2A / plus = minus / 2C,
-  // known to (size of A + h size of B) / plus or to (size of B + h size of C) / 2C unit roundoffs.
+  // Two vectors of the same direction, of which one may vanish. The point is off the base by h = 2A / plus =
+  // minus / 2C, known to (size of A + h size of B) / plus or to (size of B + h size of C) / 2C unit roundoffs.
   const double first = size(plus) + size(twice_a), second = size(twice_c) + size(minus),
                across = size(twice_a) + size(minus), along = size(plus) + size(twice_c);  // h is their quotient
   if (first * (sizes[1] * along + sizes[2] * across) >= second * (sizes[0] * along + sizes[1] * across))

@@ -32,7 +32,7 @@ struct BranchForms {
   std::array<Point1<T>, 3> u;        ///< u(s) = u[0] + u[1] s + u[2] s^2
   std::array<T, 3> turn;             ///< the same for u0 u1' - u1 u0', exact where u nearly stands still
   bool turns = false;                ///< the sheets meet at s = -1 and s = 1
-  std::array<double, 3> sizes{1, 1, 1};  ///< largest coefficients of a, b, c
+  std::array<double, 3> sizes{1, 1, 1};  ///< of a, b, c where a is small beside b: the curve is small about the base
   bool line = false;                 ///< a line through the base: X = (1 - s^2) P + 2 s q(u[0])
 
   Point2<T> operator()(const T& s, int sheet) const;

@@ -68,7 +68,8 @@ std::optional<CommonPole> common_pole(FourPoses poses) {
   best.all = true;
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = i + 1; j < 4; ++j)
-      best.all = best.all && distance(one, pole[i][j]) <= one.rounding + pole[i][j].rounding;
+      best.all = best.all && std::isfinite(pole[i][j].rounding) &&
+                 distance(one, pole[i][j]) <= one.rounding + pole[i][j].rounding;
   return best;
 }
 

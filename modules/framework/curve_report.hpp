@@ -75,7 +75,7 @@ Report<List> curve_report(FourPoseCurves curves, const CurveWords& words) {
   report.curves = std::move(curves.pieces);
   if (curves.lines_of_partners > 0)
     report.message += fmt::format("; {} of its points {} a whole {} of centre points", curves.lines_of_partners,
-                                  curves.lines_of_partners == 1 ? "has" : "have each", words.line);
+                                  curves.lines_of_partners == 1 ? "has" : "each have", words.line);
   if (curves.topology.isolated > curves.lines_of_partners)
     report.warnings.push_back("a component of the circle-point curve is a single point and is not listed");
   if (!curves.complete) report.warnings.push_back("a part of the curves could not be proved and is not listed");

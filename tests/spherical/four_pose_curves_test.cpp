@@ -265,8 +265,9 @@ TEST(SphericalFourPoseCurves, HalfTurnsAreOrdinaryAndSymmetricSetsSplit) {
   const SphericalReport three = FourPoseSolver().solve(klein);
   EXPECT_EQ(
       three.message,
-      "a curve of dyads: circle points and centre points, split into 3 great circles, in 1 component, proved; "
-      "infinitely many sliders, proved: their moving axes fill a cone of degree 3, their fixed axes a cone of degree "
+      "a curve of dyads: circle points and centre points, split into 3 great circles, in 1 component, proved; 3 of "
+      "its points each have a whole great circle of centre points; infinitely many sliders, proved: their moving axes "
+      "fill a cone of degree 3, their fixed axes a cone of degree "
       "3; no others exist");
   for (const CurveRecord& piece : three.curves)
     for (const PointRecord& a : piece.moving) EXPECT_LT(std::abs(a[0] * a[1] * a[2]), 1e-15);
@@ -274,6 +275,26 @@ TEST(SphericalFourPoseCurves, HalfTurnsAreOrdinaryAndSymmetricSetsSplit) {
   const FourPoseTask mirrored{Pose{3, 1, 2, 0}, Pose{3, -1, 2, 0}, Pose{5, 1, -1, 2}, Pose{5, -1, -1, -2}};
   const SphericalReport split = FourPoseSolver().solve(mirrored);
   EXPECT_NE(split.message.find("split into 1 great circle and a quadric cone"), std::string::npos) << split.message;
+}
+
+// Three orientations about z, one of them of the closest pair: an axis with z, or z with an axis.
+TEST(SphericalFourPoseCurves, OfThreeCoaxialOrientationsAreTwoGreatCircles) {
+  const FourPoseTask task{Pose{1, 0, 0, 0}, Pose{3, 0, 0, 1}, Pose{2, 0, 0, 1}, pose_from_axis_degrees({1, 2, 3}, 40)};
+  const SphericalReport report = FourPoseSolver().solve(task);
+  EXPECT_NE(report.message.find("1 of its points has a whole great circle of centre points"), std::string::npos)
+      << report.message;
+  EXPECT_TRUE(report.warnings.empty());
+  ASSERT_EQ(report.curves.size(), 2u);
+  for (const CurveRecord& piece : report.curves) {
+    EXPECT_TRUE(piece.closed);
+    EXPECT_GT(piece.moving.size(), 20u);
+    for (std::size_t k = 0; k < piece.moving.size(); ++k)
+      EXPECT_LT(change_of_arc(task, axis_of(piece.moving[k]), axis_of(piece.fixed[k])), 1e-14);
+  }
+  const auto at_z = [](const std::vector<PointRecord>& axes) {
+    return std::ranges::all_of(axes, [](const PointRecord& a) { return std::abs(a[2]) > 1 - 1e-12; });
+  };
+  EXPECT_TRUE(at_z(report.curves[0].fixed) && at_z(report.curves[1].moving));
 }
 
 // (w, +-x, +-y, +-z): mirror images of each other. Seen exactly the cones split or have nodes; every branch is whole.
