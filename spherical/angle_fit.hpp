@@ -10,7 +10,8 @@
 // is the mean of the angles (exact variable projection); it is 90 deg for a slider. What is left is the weighted sum of
 // squares of the errors as a function of the axes: four variables, alpha moving a against b, in units of the larger of
 // e and sin(theta_0), and beta turning both. Newton steps in a trust region of these lead to a minimum; where errors do
-// not vanish, those of Gauss and Newton need not.
+// not vanish, those of Gauss and Newton need not. A step that leaves the floor of a curved valley (heavy orientations)
+// is followed by one across the valley before it is judged.
 #pragma once
 
 #include <optional>
@@ -29,7 +30,7 @@ struct TurnedTask {
   Eigen::Matrix3Xd t;                             ///< one column for each
   Eigen::Matrix<double, Eigen::Dynamic, 9> rows;  ///< bracket of (1) as rows . k
   Eigen::VectorXd weights;
-  Eigen::VectorXd shift;  ///< errors are counted from here: zero but for orientations that are met exactly (met_exactly)
+  Eigen::VectorXd shift;  ///< errors are counted from here: zero but for orientations in met_exactly
 };
 
 /// Precondition: weights not negative, one for each pose; the first is positive.
@@ -50,8 +51,8 @@ struct ErrorSum {
   double value = 0;
   Eigen::Vector4d gradient;
   Eigen::Matrix4d hessian;
-  double arc = 0;             ///< mean angle; of a slider 90 deg
-  Eigen::VectorXd errors;     ///< angles less the arc and the shifts
+  double arc = 0;          ///< mean angle; of a slider 90 deg
+  Eigen::VectorXd errors;  ///< angles less the arc and the shifts
 };
 template <class D>
 ErrorSum error_sum(const TurnedTask& task, const AxesAt& x);
@@ -60,7 +61,7 @@ template <class D>
 struct AngleFit {
   AxesAt axes;
   typename D::Design design;
-  double sum = 0;      ///< of the weighted squares
+  double sum = 0;  ///< of the weighted squares
   Eigen::VectorXd errors;
   bool least = false;  ///< a local minimum: the gradient is zero to rounding, the Hessian not negative
 };
@@ -69,9 +70,9 @@ struct AngleFit {
 template <class D>
 AngleFit<D> nearest_fit(const TurnedTask& task, const AxesAt& start, int steps);
 
-/// The local minimum near a fit, with the orientations of the given numbers met to rounding: multipliers (M. R. Hestenes,
-/// M. J. D. Powell, 1969) in the form of shifts, each round takes back what the last left. Its sum is that of the other
-/// orientations. Empty where that fails. Precondition: weights of these are large against the others.
+/// The local minimum near a fit, with the orientations of the given numbers met to rounding: multipliers (M. R.
+/// Hestenes, M. J. D. Powell, 1969) in the form of shifts, each round takes back what the last left. Its sum is that of
+/// the other orientations. Empty where that fails. Precondition: weights of these are large against the others.
 template <class D>
 std::optional<AngleFit<D>> met_exactly(TurnedTask task, const AngleFit<D>& fit, std::span<const Eigen::Index> which,
                                        int steps);
