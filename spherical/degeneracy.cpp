@@ -2,6 +2,8 @@
 
 #include <Eigen/SVD>
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace burmester::spherical {
 namespace {
