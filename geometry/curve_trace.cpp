@@ -60,9 +60,10 @@ class Tracer {
   Sample sample(double s, int sheet) {
     Sample out;
     out.inside = out.near = true;
-    Point p = branch_->approximate(s, sheet);
+    const Point seen = branch_->approximate.seen(s, sheet);
+    Point p = branch_->approximate.frame.placed(seen);
     for (std::size_t k = 0; k < tracks_; ++k) {
-      if (k == 1) p = partner<double>(partner_->approximate, out.track[0].at);
+      if (k == 1) p = partner<double>(partner_->approximate, seen);
       out.valid = out.valid && p.squaredNorm() > 0;
       out.track[k] = TubePoint(chart_.place(p), form(k));
       out.inside = out.inside && chart_.inside(out.track[k].at, 1);
@@ -106,7 +107,7 @@ class Tracer {
     int parts = 2;
     if (x.near && y.near && (x.inside || y.inside)) {
       const Chord chord = judge(x, y, from, to, sheet);
-      if (chord.parts == 1) accept(x, y, chord, from, sheet);
+      if (chord.parts == 1) accept(x, y, chord, from, to, sheet);
       parts = chord.parts;
     } else if (!x.valid && !y.valid) {
       give_up();
@@ -139,7 +140,8 @@ class Tracer {
     for (std::size_t k = 0; k < tracks_; ++k) {
       const TubePoint &a = x.track[k], &b = y.track[k];
       if (k == 1 && (b.at - a.at).norm() <= options_.tolerance)
-        if (const double extent = partner_extent(x, y, box_of_points(branch_->enclosing, from, to, sheet));
+        if (const double extent =
+                partner_extent(x, y, box_with_partners(branch_->enclosing, *partner_, from, to, sheet).seen);
             extent <= options_.tolerance) {
           error = std::max(error, extent);
           width[k] = std::numeric_limits<double>::infinity();
@@ -175,9 +177,9 @@ class Tracer {
       if (references_[0].size() == 2 && references_[tracks_ - 1].size() == 2) return;
       const double s = start_of(passage) * (1 - 2.0 * k / first_chords);
       const Sample at = sample(s, passage.sheet);
-      const std::array<Box, 2> box = boxes(s, s, passage.sheet);
+      const BranchBox box = boxes(s, s, passage.sheet);
       for (std::size_t track = 0; track < tracks_; ++track)
-        if (const double off = distance_from_box(box[track], at.track[track].unit().at); off < told)
+        if (const double off = distance_from_box(box.track[track], at.track[track].unit().at); off < told)
           references_[track].push_back({k, at.track[track].at, off});
     }
   }
@@ -192,45 +194,46 @@ class Tracer {
   }
 
   double extent_of_box(std::size_t k, const Sample& x, const Sample& y, double from, double to, int sheet) const {
-    const std::array<Box, 2> box = boxes(from, to, sheet);
-    const double extent = chart_.extent(box[k], x.track[k].at, y.track[k].at);
-    return k == 1 && !(extent <= options_.tolerance) ? partner_extent(x, y, box[0]) : extent;
+    const BranchBox box = boxes(from, to, sheet);
+    const double extent = chart_.extent(box.track[k], x.track[k].at, y.track[k].at);
+    return k == 1 && !(extent <= options_.tolerance) ? partner_extent(x, y, box.seen) : extent;
   }
 
-  std::array<Box, 2> boxes(double from, double to, int sheet) const {
+  BranchBox boxes(double from, double to, int sheet) const {
+    const BranchForms<Interval>& branch = branch_->enclosing;
     if (from == to) {
-      const Box at = branch_->enclosing(Interval(from), sheet);
-      return {at, tracks_ == 2 ? partner<Interval>(partner_->enclosing, at) : at};
+      const Box seen = branch.seen(Interval(from), sheet), at = branch.frame.placed(seen);
+      return {{at, tracks_ == 2 ? partner<Interval>(partner_->enclosing, seen) : at}, seen};
     }
-    if (tracks_ == 1) return {box_of_points(branch_->enclosing, from, to, sheet)};
-    const BranchBox box = box_with_partners(branch_->enclosing, *partner_, from, to, sheet);
-    return {box.points, box.partners};
+    if (tracks_ == 2) return box_with_partners(branch, *partner_, from, to, sheet);
+    return {{box_of_points(branch, from, to, sheet)}, {}};
   }
 
-  /// As Chart::extent, of the partners of a box: no matter how long it is where all of them are one point.
+  /// As Chart::extent, of the partners of a box in the frame: no matter how long it is where all of them are one point.
   double partner_extent(const Sample& x, const Sample& y, const Box& p) const {
     return chart_.extent(partners_about(*partner_, x.track[1].at, p), x.track[1].at, y.track[1].at);
   }
 
-  /// Whether doubles tell where on the curves x is: not so beside a point that has a line of partners.
+  /// Whether doubles tell where on the curves x is, well within the tolerance: not so beside a point that has a line of
+  /// partners.
   bool tells(const Sample& x, double s, int sheet) const {
     for (std::size_t k = 0; x.near && k < tracks_; ++k)
-      if (!(extent_of_box(k, x, x, s, s, sheet) <= 0x1p-10 * options_.tolerance)) return false;
+      if (!(extent_of_box(k, x, x, s, s, sheet) <= 0x1p-2 * options_.tolerance)) return false;
     return true;
   }
 
   bool left_out(const Sample& x, const Sample& y, double from, double to, int sheet) const {
     for (std::size_t k = 0; k < tracks_; ++k) {
       const Reference* other = elsewhere(x, y, k);
-      const auto at_x = [&] { return boxes(from, from, sheet)[k]; };
+      const auto at_x = [&] { return boxes(from, from, sheet).track[k]; };
       if (other && chart_.outside(form(k), x.track[k], y.track[k], other->at, other->off, at_x)) return true;
     }
     if (std::abs(to - from) > short_passage) return false;
-    const std::array<Box, 2> box = boxes(from, to, sheet);  // near singular points no tube can be proved
-    return chart_.outside(box[0]) || (tracks_ == 2 && chart_.outside(box[1]));
+    const BranchBox box = boxes(from, to, sheet);  // near singular points no tube can be proved
+    return chart_.outside(box.track[0]) || (tracks_ == 2 && chart_.outside(box.track[1]));
   }
 
-  void accept(const Sample& x, const Sample& y, const Chord& chord, double from, int sheet) {
+  void accept(const Sample& x, const Sample& y, const Chord& chord, double from, double to, int sheet) {
     if (!connected_) {
       pieces_.emplace_back();
       pieces_.back().component = branch_->component;
@@ -238,19 +241,22 @@ class Tracer {
       merged_.open = unproved_ = false, runs_ = {};
     }
     connected_ = true;
-    for (std::size_t k = 0; k < tracks_; ++k) continue_run(k, x, y, chord, from, sheet);
+    for (std::size_t k = 0; k < tracks_; ++k) continue_run(k, x, y, chord, from, to, sheet);
     merge_or_append(x, y, chord);
   }
 
   /// Chords with tubes, one after the other, follow one part of the curve. It is this branch if one point of it is
   /// proved to be. A box holds the branch itself, and ends the run.
-  void continue_run(std::size_t k, const Sample& x, const Sample& y, const Chord& chord, double from, int sheet) {
+  void continue_run(std::size_t k, const Sample& x, const Sample& y, const Chord& chord, double from, double to,
+                    int sheet) {
     Run& run = runs_[k];
     if (!std::isfinite(chord.width[k])) {
       unproved_ = unproved_ || run == Run::claimed;
       run = Run::none;
     } else if (run != Run::proved) {
-      run = is_on_branch(k, x, y, chord.width[k], from, sheet) ? Run::proved : Run::claimed;
+      const bool proved =
+          is_on_branch(k, x, y, chord.width[k], from, sheet) || is_on_branch(k, y, x, chord.width[k], to, sheet);
+      run = proved ? Run::proved : Run::claimed;
     }
   }
 
@@ -285,7 +291,7 @@ class Tracer {
   /// Whether the box that holds the branch at x lies in the tube of the chord, or in a wider one.
   bool is_on_branch(std::size_t k, const Sample& x, const Sample& y, double width, double from, int sheet) const {
     const TubePoint &a = x.track[k], &b = y.track[k];
-    const double extent = chart_.extent(boxes(from, from, sheet)[k], a.at, a.at);
+    const double extent = chart_.extent(boxes(from, from, sheet).track[k], a.at, a.at);
     if (extent <= width) return true;
     const auto n = chart_.normal(a.at, b.at);
     return std::isfinite(extent) && n && tube(form(k), a, b, *n, extent);
