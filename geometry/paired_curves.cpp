@@ -127,8 +127,13 @@ PairedCurves paired_curves(const DecidingCorrelations& correlations, TraceCurve 
   const ThreeCorrelations<Rational> exact = independent(correlations.rationals(), nearly);
   const BranchFrame<Rational> frame{*branches.base, branches.frame.i, branches.frame.j};
   n = enclosures(exact);
+  // Chords go with the square root of the tolerance. Whole curves took fewer samples; more are of use only where
+  // doubles do not tell.
+  TraceOptions limited = options;
+  limited.most_samples = static_cast<int>(
+      std::min<double>(options.most_samples, 600 * std::sqrt(std::max(1.0, options.longest / options.tolerance))));
   const auto seen = enclosures({frame.seen(exact[0]), frame.seen(exact[1]), frame.seen(exact[2])});
-  out.traced = trace(branches, tube_curve(points_with_partner(n)), partner_curve(n, seen), options);
+  out.traced = trace(branches, tube_curve(points_with_partner(n)), partner_curve(n, seen), limited);
   return out;
 }
 
