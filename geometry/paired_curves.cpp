@@ -116,22 +116,22 @@ PairedCurves paired_curves(const DecidingCorrelations& correlations, TraceCurve 
   auto n = correlations.intervals();
   const auto order = order_of_bases(n);
   const auto nearly = dependence(n);
-  auto found = nearly ? std::nullopt : branches_by_intervals(n, order);
-  const CubicBranches branches = found ? std::move(*found) : branches_by_rationals(correlations.rationals(), order);
-  PairedCurves out{branches.topology, {}};
-  if (branches.topology.rung == Rung::none) return out;
-  if (!branches.base) {
-    out.traced = trace(branches, tube_curve(points_with_partner(n)), partner_curve(n, branches.frame), options);
-    return out;
-  }
-  const ThreeCorrelations<Rational> exact = independent(correlations.rationals(), nearly);
-  const BranchFrame<Rational> frame{*branches.base, branches.frame.i, branches.frame.j};
-  n = enclosures(exact);
   // Chords go with the square root of the tolerance. Whole curves took fewer samples; more are of use only where
   // doubles do not tell.
   TraceOptions limited = options;
   limited.most_samples = static_cast<int>(
       std::min<double>(options.most_samples, 600 * std::sqrt(std::max(1.0, options.longest / options.tolerance))));
+  if (const auto branches = nearly ? std::nullopt : branches_by_intervals(n, order)) {
+    TracedCurve traced =
+        trace(*branches, tube_curve(points_with_partner(n)), partner_curve(n, branches->frame), limited);
+    if (traced.complete) return {branches->topology, std::move(traced)};
+  }
+  const CubicBranches branches = branches_by_rationals(correlations.rationals(), order);
+  PairedCurves out{branches.topology, {}};
+  if (branches.topology.rung == Rung::none) return out;
+  const ThreeCorrelations<Rational> exact = independent(correlations.rationals(), nearly);
+  const BranchFrame<Rational> frame{*branches.base, branches.frame.i, branches.frame.j};
+  n = enclosures(exact);
   const auto seen = enclosures({frame.seen(exact[0]), frame.seen(exact[1]), frame.seen(exact[2])});
   out.traced = trace(branches, tube_curve(points_with_partner(n)), partner_curve(n, seen), limited);
   return out;
