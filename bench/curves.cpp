@@ -106,7 +106,8 @@ void traced(benchmark::State& state) {
     const Cubic<Interval> f = points_with_partner(n);
     const auto branches = branches_by_intervals(f, vertex(n[0]));
     if (!branches) continue;
-    const auto found = trace_in_plane(*branches, tube_curve(f), partner_curve(n), {1.75e-5, 0.5, 10}).pieces;
+    const PartnerCurve partner = partner_curve(n, branches->frame);
+    const auto found = trace_in_plane(*branches, tube_curve(f), partner, {1.75e-5, 0.5, 10}).pieces;
     pieces += found.size();
     for (const CurvePiece& piece : found) points += piece.points.size();
   }
@@ -222,9 +223,11 @@ std::vector<PreparedCurve> prepared_curves() {
   for (const FourPoses& poses : tasks()) {
     const UpwardRounding upward;
     const auto n = equidistant_in_plane<Interval>(poses);
-    if (auto branches = by_intervals(poses))
-      out.push_back({std::move(*branches), equidistant_in_plane<double>(poses), tube_curve(points_with_partner(n)),
-                     partner_curve(n).curve});
+    if (auto branches = by_intervals(poses)) {
+      const TubeCurve fixed = partner_curve(n, branches->frame).curve;
+      out.push_back(
+          {std::move(*branches), equidistant_in_plane<double>(poses), tube_curve(points_with_partner(n)), fixed});
+    }
   }
   return out;
 }

@@ -42,59 +42,68 @@ struct Part {
   Interval over, middle, step;
 };
 
-Interval quadratic(const Interval& c0, const Interval& c1, const Interval& c2, const Interval& s) {
-  return c0 + s * (c1 + s * c2);
-}
-Point1<Interval> line_at(const BranchForms<Interval>& f, const Interval& s) {
-  return {quadratic(f.u[0][0], f.u[1][0], f.u[2][0], s), quadratic(f.u[0][1], f.u[1][1], f.u[2][1], s)};
-}
 Moving moving(const Interval& value, const Interval& slope) { return {value, Vector<Interval, 1>(slope)}; }
+
+Point1<Interval> slope_of_line(const BranchForms<Interval>& f, const Interval& s) {
+  if (!f.turns) return {-2 * s, Interval(2)};
+  const bool first = approximate(s) < 0;
+  const auto slope = [&](int k) {
+    return first ? 2 * (1 + s) * f.u[2][k] - 4 * f.u[0][k] : 4 * f.u[1][k] - 2 * (1 - s) * f.u[2][k];
+  };
+  return {slope(0), slope(1)};
+}
 
 /// u(s) and 1 - s^2, both over |u_k(s)|, the larger one. Where u hardly turns, as between two roots that lie close,
 /// this tells so: the slope of the quotient is (u0 u1' - u1 u0') / u_k^2.
 struct MovingLine {
   MovingLine(const BranchForms<Interval>& f, const Part& part) {
-    const Interval &s = part.over, turn = quadratic(f.turn[0], f.turn[1], f.turn[2], s),
-                   rest_at_s = 1 - CGAL::square(s);
-    const Point1<Interval> at = line_at(f, s), middle = line_at(f, part.middle);
+    const Interval &s = part.over, rest_at_s = (1 - s) * (1 + s),
+                   turn = f.turns ? -4 * f.across * rest_at_s : 2 + 2 * CGAL::square(s);
+    const Point1<Interval> at = f.line_at(s), middle = f.line_at(part.middle), slope_at_s = slope_of_line(f, s);
     const int k = std::abs(approximate(middle[0])) > std::abs(approximate(middle[1])) ? 0 : 1, i = 1 - k;
-    const Interval slope_of_k = f.u[1][k] + 2 * s * f.u[2][k];
     if (contains_zero(at[k])) {
-      u[k] = moving(at[k], slope_of_k), u[i] = moving(at[i], f.u[1][i] + 2 * s * f.u[2][i]);
+      u[k] = moving(at[k], slope_at_s[k]), u[i] = moving(at[i], slope_at_s[i]);
       rest = moving(rest_at_s, -2 * s);
       return;
     }
     const Interval sign(upper(at[k]) < 0 ? -1 : 1), slope = sign * (k == 0 ? turn : -turn) / CGAL::square(at[k]);
     u[k] = moving(sign, Interval(0));
     u[i] = moving(common(sign * at[i] / at[k], sign * middle[i] / middle[k] + slope * part.step), slope);
-    rest = moving(rest_at_s, -2 * s) / moving(sign * at[k], sign * slope_of_k);
+    rest = moving(rest_at_s, -2 * s) / moving(sign * at[k], sign * slope_at_s[k]);
   }
   Point1<Moving> u;
   Moving rest;
 };
 
-Point2<Moving> points(const BranchForms<Interval>& branch, const Part& part, int sheet) {
+/// In the frame.
+Point2<Moving> seen(const BranchForms<Interval>& branch, const Part& part, int sheet) {
   if (branch.line)
-    return sharpened(branch.on_line(moving(part.over, Interval(1))), branch(part.middle, sheet), part.step);
+    return sharpened(branch.on_line(moving(part.over, Interval(1))), branch.seen(part.middle, sheet), part.step);
   const MovingLine line(branch, part);
-  return sharpened(branch.on_sheet(line.u, line.rest, sheet), branch(part.middle, sheet), part.step);
+  return sharpened(branch.on_sheet(line.u, line.rest, sheet), branch.seen(part.middle, sheet), part.step);
+}
+
+Point2<Moving> placed(const BranchForms<Interval>& branch, const Point2<Moving>& seen, const Part& part, int sheet) {
+  return sharpened(branch.frame.placed(seen), branch(part.middle, sheet), part.step);
 }
 
 }  // namespace
 
 Point2<Interval> box_of_points(const BranchForms<Interval>& branch, double from, double to, int sheet) {
-  return values(points(branch, Part(from, to), sheet));
+  const Part part(from, to);
+  return values(placed(branch, seen(branch, part, sheet), part, sheet));
 }
 
 BranchBox box_with_partners(const BranchForms<Interval>& branch, const PartnerCurve& partners, double from, double to,
                             int sheet) {
   const Part part(from, to);
-  const Point2<Moving> p = points(branch, part, sheet);
+  const Point2<Moving> p = seen(branch, part, sheet);
   std::array<Correlation<Moving>, 3> n;
   for (std::size_t j = 0; j < 3; ++j)
     for (int i = 0; i < 9; ++i) n[j](i) = Moving(partners.enclosing[j](i));
-  const Point2<Interval> middle = partner<Interval>(partners.enclosing, branch(part.middle, sheet));
-  return {values(p), values(sharpened(partner<Moving>(n, p), middle, part.step))};
+  const Point2<Interval> middle = partner<Interval>(partners.enclosing, branch.seen(part.middle, sheet));
+  return {{values(placed(branch, p, part, sheet)), values(sharpened(partner<Moving>(n, p), middle, part.step))},
+          values(p)};
 }
 
 }  // namespace burmester

@@ -15,7 +15,8 @@ namespace burmester {
 /// The part of the branch over [from, to] or [to, from], and its partners; all of the projective plane, or not a
 /// number, where they cannot be told. Below an UpwardRounding.
 struct BranchBox {
-  Point2<Interval> points, partners;
+  std::array<Point2<Interval>, 2> track;  ///< points, partners
+  Point2<Interval> seen;                  ///< the points in the frame of the branch
 };
 Point2<Interval> box_of_points(const BranchForms<Interval>& branch, double from, double to, int sheet);
 BranchBox box_with_partners(const BranchForms<Interval>& branch, const PartnerCurve& partners, double from, double to,

@@ -20,27 +20,34 @@ Interval positive_root(const Interval& x) {
   return CGAL::sqrt(Interval(std::max(0.0, x.inf()), high));
 }
 
+template <class X>
+double size(const X& x) {
+  return std::abs(approximate(x));
+}
+
 Jet<Interval, 1> positive_root(const Jet<Interval, 1>& x) {
   const Interval root = positive_root(x.value);
   return {root, x.slope / (2 * root)};
 }
 
-CubicBranch branch(int component, std::vector<CubicBranch::Passage> passages, BranchForms<Interval> f) {
+BranchFrame<Interval> frame_of(const CubicScene& scene) { return {scene.pencil.base, scene.pencil.i, scene.pencil.j}; }
+
+/// p P + q (along[0] Qi + along[1] Qj), in the frame.
+template <class X>
+Point2<X> sum(const X& p, const Point1<X>& along, const X& q) {
+  return {p, X(q * along[0]), X(q * along[1])};
+}
+
+CubicBranch branch(int component, std::vector<CubicBranch::Passage> passages, const BranchForms<Interval>& f) {
   BranchForms<double> a;
+  a.frame.i = f.frame.i, a.frame.j = f.frame.j;
   for (int k = 0; k < 3; ++k)
-    a.base[k] = approximate(f.base[k]),
-    a.u[static_cast<std::size_t>(k)] = detail::middle(f.u[static_cast<std::size_t>(k)]),
-    a.turn[static_cast<std::size_t>(k)] = detail::middle(f.turn[static_cast<std::size_t>(k)]);
-  a.i = f.i, a.j = f.j, a.turns = f.turns, a.line = f.line;
+    a.frame.base[k] = approximate(f.frame.base[k]),
+    a.u[static_cast<std::size_t>(k)] = detail::middle(f.u[static_cast<std::size_t>(k)]);
+  a.turns = f.turns, a.line = f.line, a.sizes = f.sizes;
   a.a = detail::middle(f.a), a.b = detail::middle(f.b), a.c = detail::middle(f.c);
   a.factor = detail::middle(f.factor), a.under_root = detail::middle(f.under_root);
   for (const LocalForm<Interval>& dip : f.dips) a.dips.push_back({dip.from, detail::middle(dip.form)});
-  const auto size = [](const BinaryForm<double>& form) {
-    double out = 0;
-    for (const double x : form.coefficients()) out = std::max(out, std::abs(x));
-    return out;
-  };
-  if (size(a.a) < 0x1p-10 * size(a.b)) a.sizes = f.sizes = {size(a.a), size(a.b), size(a.c)};
   return {component, std::move(passages), a, f};
 }
 
@@ -61,13 +68,18 @@ class Builder {
   std::vector<CubicBranch> result() && { return std::move(out_); }
 
  private:
+  static double size_of(const BinaryForm<Interval>& f) {
+    double out = 0;
+    for (std::size_t k = 0; k <= f.degree; ++k) out += size(f.c[k]);
+    return out;
+  }
   BranchForms<Interval> forms() const {
     BranchForms<Interval> f;
-    f.base = s_.pencil.base, f.i = s_.pencil.i, f.j = s_.pencil.j;
+    f.frame = frame_of(s_);
     f.a = s_.pencil.a, f.b = s_.pencil.b, f.c = s_.pencil.c;
+    f.sizes = {size_of(f.a), size_of(f.b), size_of(f.c) + 0x1p-10 * size_of(f.b)};
     f.factor = s_.factor, f.under_root = s_.rest, f.dips = s_.dips;
     f.u.fill({Interval(0), Interval(0)});
-    f.turn.fill(Interval(0));
     return f;
   }
 
@@ -79,9 +91,6 @@ class Builder {
   void add_unbroken(int sign) {
     if (sign < 0) return;
     BranchForms<Interval> f = forms();
-    f.u = {Point1<Interval>(Interval(1), Interval(0)), Point1<Interval>(Interval(0), Interval(2)),
-           Point1<Interval>(Interval(-1), Interval(0))};
-    f.turn = {Interval(2), Interval(0), Interval(2)};
     if (sign == 0) return add(f, {{1, false}});  // a double line
     // After one turn u is -u, and the root keeps or changes its sign against B: the sheets change places or do not.
     if ((f.a.degree + f.factor.degree) % 2 == 0) return add(f, {{1, false}, {-1, false}});
@@ -89,32 +98,29 @@ class Builder {
     add(f, {{-1, false}});
   }
 
-  /// a + b, b - a and the determinant of (b, a): small where a and b nearly are the same or opposite.
+  /// a + b and the determinant of (b, a): small where a and b nearly are the same or opposite.
   struct Ends {
-    Point1<Interval> sum, difference;
+    Point1<Interval> sum;
     Interval across;
   };
   static Ends ends_of(const CubicScene::Root& from, const CubicScene::Root& to, bool once_round) {
     if (!from.refined || !to.refined) {
       const Point1<Interval> a = from.at, b = once_round ? Point1<Interval>(-to.at) : to.at;
-      return {a + b, b - a, a[1] * b[0] - a[0] * b[1]};
+      return {a + b, a[1] * b[0] - a[0] * b[1]};
     }
     const auto& a = *from.refined;
     auto b = *to.refined;
     if (once_round) b = {-b[0], -b[1]};
-    return {{enclosure(a[0] + b[0]), enclosure(a[1] + b[1])},
-            {enclosure(b[0] - a[0]), enclosure(b[1] - a[1])},
-            enclosure(a[1] * b[0] - a[0] * b[1])};
+    return {{enclosure(a[0] + b[0]), enclosure(a[1] + b[1])}, enclosure(a[1] * b[0] - a[0] * b[1])};
   }
 
   void add_between(const CubicScene::Root& from, const CubicScene::Root& to, bool once_round) {
     BranchForms<Interval> f = forms();
     const Ends ends = ends_of(from, to, once_round);
-    f.u = {ends.sum, Point1<Interval>(ends.difference[0] * 2, ends.difference[1] * 2), ends.sum};
-    f.turn = {-4 * ends.across, Interval(0), 4 * ends.across};
     // G = l_a l_b E with l_a(u(s)) = (1 + s)^2 l_a(b) and l_b(u(s)) = -(1 - s)^2 l_a(b), so H = -l_a(b)^2 E.
     const auto factor = BinaryForm<Interval>::constant(-CGAL::square(ends.across));
     const Point1<Interval> a = from.at, b = once_round ? Point1<Interval>(-to.at) : to.at;
+    f.u = {a, b, ends.sum}, f.across = ends.across;
     f.under_root = factor * f.under_root.divided_by_root(a).divided_by_root(b);
     for (const Point1<Interval>& end : {a, b}) detail::divide_by_root(f.dips, end);
     for (LocalForm<Interval>& dip : f.dips) dip.form = factor * dip.form;
@@ -151,7 +157,7 @@ void count_components(CubicBranches& out) {
 }
 
 CubicBranches branches_of(const CubicScene& scene, std::vector<PointAtInfinity> at_infinity, Rung rung) {
-  CubicBranches out{detail::singular_points_and_factors(scene), Builder(scene).result()};
+  CubicBranches out{detail::singular_points_and_factors(scene), Builder(scene).result(), frame_of(scene), scene.base};
   out.topology.rung = rung;
   out.topology.at_infinity = std::move(at_infinity);
   count_components(out);
@@ -161,10 +167,18 @@ CubicBranches branches_of(const CubicScene& scene, std::vector<PointAtInfinity> 
 }  // namespace
 
 template <class T>
-Point2<T> BranchForms<T>::operator()(const T& s, int sheet) const {
+Point1<T> BranchForms<T>::line_at(const T& s) const {
+  if (!turns) return {T((T(1) - s) * (T(1) + s)), T(T(2) * s)};
+  const bool first = approximate(s) < 0;  // (1 - s)^2 a + (1 + s)^2 b
+  const Point1<T>& end = first ? u[0] : u[1];
+  const T t = first ? T(-s) : s, rest = T(1) - t, of_sum = rest * rest, of_end = T(4) * t;
+  return {T(of_sum * u[2][0] + of_end * end[0]), T(of_sum * u[2][1] + of_end * end[1])};
+}
+
+template <class T>
+Point2<T> BranchForms<T>::seen(const T& s, int sheet) const {
   if (line) return on_line(s);
-  const Point1<T> u_of_s(T(u[0][0] + s * (u[1][0] + s * u[2][0])), T(u[0][1] + s * (u[1][1] + s * u[2][1])));
-  return on_sheet(u_of_s, T(T(1) - s * s), sheet);
+  return on_sheet(line_at(s), T((T(1) - s) * (T(1) + s)), sheet);
 }
 
 template <class T>
@@ -182,23 +196,12 @@ Point2<X> BranchForms<T>::on_sheet(const Point1<X>& q, const X& rest, int sheet)
   X root = factor(q) * positive_root(dip ? (*dip)(q) : under_root(q));
   if (turns) root = root * rest;
   if (sheet < 0) root = -root;
+  // Two vectors of the same direction, of which one may vanish. Errors and widths of a, b, c go with their sizes; those
+  // of a turn the first by its |plus| over its square, those of b by |2 a| over that, and the second likewise.
   const X twice_a = X(2) * a(q), twice_c = X(2) * c(q), minus_b = -b(q), plus = minus_b + root, minus = minus_b - root;
-  const auto size = [](const X& x) { return std::abs(approximate(x)); };
-  // Two vectors of the same direction, of which one may vanish. The point is off the base by h = 2A / plus =
-  // minus / 2C, known to (size of A + h size of B) / plus or to (size of B + h size of C) / 2C unit roundoffs.
-  const double first = size(plus) + size(twice_a), second = size(twice_c) + size(minus),
-               across = size(twice_a) + size(minus), along = size(plus) + size(twice_c);  // h is their quotient
-  if (first * (sizes[1] * along + sizes[2] * across) >= second * (sizes[0] * along + sizes[1] * across))
+  if (sizes[1] * size(plus) + sizes[2] * size(twice_a) >= sizes[0] * size(twice_c) + sizes[1] * size(minus))
     return sum(plus, q, twice_a);
   return sum(twice_c, q, minus);
-}
-
-template <class T>
-template <class X>
-Point2<X> BranchForms<T>::sum(const X& p, const Point1<X>& along, const X& q) const {
-  Point2<X> out(p * X(base[0]), p * X(base[1]), p * X(base[2]));
-  out[i] += q * along[0], out[j] += q * along[1];
-  return out;
 }
 
 template struct BranchForms<double>;
@@ -212,11 +215,10 @@ CubicBranch line_branch(const LinearForm<Rational>& line, int component) {
   line.cwiseAbs().minCoeff(&k);  // the line meets that side of the triangle of reference in one point
   const Point2<Rational> to = Point2<Rational>::Unit(k).cross(line), base = line.cross(to);
   BranchForms<Interval> f;
-  f.line = true, f.i = (static_cast<int>(k) + 1) % 3, f.j = (static_cast<int>(k) + 2) % 3;
-  for (int n = 0; n < 3; ++n) f.base[n] = enclosure(base[n]);
+  f.line = true, f.frame.i = (static_cast<int>(k) + 1) % 3, f.frame.j = (static_cast<int>(k) + 2) % 3;
+  for (int n = 0; n < 3; ++n) f.frame.base[n] = enclosure(base[n]);
   f.u.fill({Interval(0), Interval(0)});
-  f.u[0] = {enclosure(to[f.i]), enclosure(to[f.j])};
-  f.turn.fill(Interval(0));
+  f.u[0] = {enclosure(to[f.frame.i]), enclosure(to[f.frame.j])};
   return branch(component, {{1, false}}, f);
 }
 

@@ -21,32 +21,53 @@
 
 namespace burmester {
 
+/// Points as x P + y Qi + z Qj. Beside P these coordinates keep the digits that x P + .. loses.
+template <class T>
+struct BranchFrame {
+  Point2<T> base;
+  int i = 0, j = 1;
+
+  template <class X>
+  Point2<X> placed(const Point2<X>& seen) const {
+    Point2<X> out(seen[0] * X(base[0]), seen[0] * X(base[1]), seen[0] * X(base[2]));
+    out[i] += seen[1], out[j] += seen[2];
+    return out;
+  }
+  /// N between such points and their partners.
+  Matrix<T, 3, 3> seen(const Matrix<T, 3, 3>& n) const {
+    Matrix<T, 3, 3> out;
+    for (int m = 0; m < 3; ++m) {
+      out(0, m) = base[0] * n(0, m) + base[1] * n(1, m) + base[2] * n(2, m);
+      out(1, m) = n(i, m), out(2, m) = n(j, m);
+    }
+    return out;
+  }
+};
+
 /// What it takes to evaluate a branch.
 template <class T>
 struct BranchForms {
-  Point2<T> base;
-  int i = 0, j = 1;
+  BranchFrame<T> frame;
   BinaryForm<T> a, b, c;             ///< of degree n, n + 1, n + 2
   BinaryForm<T> factor, under_root;  ///< S and G, or S and H
   std::vector<LocalForm<T>> dips;    ///< under_root where it nearly vanishes twice: the curve nearly meets itself
-  std::array<Point1<T>, 3> u;        ///< u(s) = u[0] + u[1] s + u[2] s^2
-  std::array<T, 3> turn;             ///< the same for u0 u1' - u1 u0', exact where u nearly stands still
+  std::array<Point1<T>, 3> u;        ///< where the sheets meet a, b and a + b; of a line its direction
+  std::array<double, 3> sizes{};     ///< of a, b, c: sums of |coefficients|, that of c not far below that of b
+  T across{};                        ///< the determinant of b and a, exact where they nearly are the same or opposite
   bool turns = false;                ///< the sheets meet at s = -1 and s = 1
-  std::array<double, 3> sizes{1, 1, 1};  ///< of a, b, c where a is small beside b: the curve is small about the base
   bool line = false;                 ///< a line through the base: X = (1 - s^2) P + 2 s q(u[0])
 
-  Point2<T> operator()(const T& s, int sheet) const;
-  /// X: T or, over intervals, a jet of them. To the line:
+  Point2<T> operator()(const T& s, int sheet) const { return frame.placed(seen(s, sheet)); }
+  /// u(s), to all digits of each coordinate: no term cancels another.
+  Point1<T> line_at(const T& s) const;
+  /// In the frame.
+  Point2<T> seen(const T& s, int sheet) const;
+  /// The same; X: T or, over intervals, a jet of them. To the line:
   template <class X>
   Point2<X> on_line(const X& s) const;
   /// Elsewhere: u(s) and 1 - s^2, both over the same positive number.
   template <class X>
   Point2<X> on_sheet(const Point1<X>& u_of_s, const X& rest, int sheet) const;
-
- private:
-  /// p P + q (along[0] Qi + along[1] Qj)
-  template <class X>
-  Point2<X> sum(const X& p, const Point1<X>& along, const X& q) const;
 };
 
 /// A closed branch: up to two passages over -1 <= s <= 1, each on one sheet.
@@ -64,6 +85,8 @@ struct CubicBranch {
 struct CubicBranches {
   CurveTopology topology;
   std::vector<CubicBranch> branches;
+  BranchFrame<Interval> frame;           ///< of all branches
+  std::optional<Point2<Rational>> base;  ///< of the frame, where it comes from rationals
 };
 
 /// For curves without singular points; nothing where the intervals cannot prove that there are none, or tell the rest.

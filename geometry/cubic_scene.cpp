@@ -211,6 +211,7 @@ std::optional<CubicScene> cubic_scene(const Cubic<Rational>& given, const Point2
   const BinaryForm<Rational> d = pencil.discriminant();
   const Point2<Interval> base{enclosure(on_curve[0]), enclosure(on_curve[1]), enclosure(on_curve[2])};
   CubicScene out(CubicPencil<Interval>(enclosure(f), base));
+  out.base = on_curve;
   out.discriminant = enclosure(d);
   out.pencil.k = pencil.k, out.pencil.i = pencil.i, out.pencil.j = pencil.j;
   out.pencil.a = enclosure(pencil.a), out.pencil.b = enclosure(pencil.b), out.pencil.c = enclosure(pencil.c);

@@ -29,6 +29,7 @@ struct CubicScene {
   };
   explicit CubicScene(const CubicPencil<Interval>& seen) : pencil(seen), discriminant(seen.discriminant()) {}
 
+  std::optional<Point2<Rational>> base;   ///< of the pencil, where it comes from rationals
   CubicPencil<Interval> pencil;           ///< where a line through the base splits off: of the conic that is left
   BinaryForm<Interval> discriminant;      ///< D
   BinaryForm<Interval> factor, rest;      ///< D = S^2 G: S and G

@@ -70,9 +70,10 @@ class Tracer {
     Sample out;
     out.inside = out.near = true;
     std::array<Point, 2> at;
-    Point p = branch_->approximate(s, sheet);
+    const Point seen = branch_->approximate.seen(s, sheet);
+    Point p = branch_->approximate.frame.placed(seen);
     for (std::size_t k = 0; k < tracks_; ++k) {
-      if (k == 1) p = partner<double>(partner_->approximate, at[0]);
+      if (k == 1) p = partner<double>(partner_->approximate, seen);
       out.valid = out.valid && p.squaredNorm() > 0;
       at[k] = chart_.place(p);
       out.inside = out.inside && chart_.inside(at[k], 1);
@@ -130,7 +131,9 @@ class Tracer {
       const Chord chord = judge(x, y, from, to, sheet);
       parts = chord.parts;
       if (parts == 1) {
-        pieces_.add(x, y, chord, [&](std::size_t k) { return is_on_branch(k, x, y, chord.width[k], from, sheet); });
+        pieces_.add(x, y, chord, [&](std::size_t k) {
+          return is_on_branch(k, x, y, chord.width[k], from, sheet) || is_on_branch(k, y, x, chord.width[k], to, sheet);
+        });
         density_ = chord.density;
       }
     } else if (!x.valid && !y.valid) {
@@ -194,7 +197,7 @@ class Tracer {
       return true;
     };
     const bool tiny = (b.at - a.at).squaredNorm() <= options_.tolerance * options_.tolerance;
-    if (k == 1 && tiny && by_box(partner_extent(x, y, box_of_points(branch_->enclosing, from, to, sheet)))) return true;
+    if (k == 1 && tiny && by_box(partner_extent(x, y, boxes(from, to, sheet).seen))) return true;
     const auto chord = chart_.chord(a.at, b.at);
     const Reference* other = elsewhere(x, y, k);
     const auto proved = chord && other ? tube(form(k), a, b, *chord) : std::nullopt;
@@ -219,11 +222,11 @@ class Tracer {
       if (found[0] >= 2 && found[tracks_ - 1] >= 2) return;
       const double s = start_of(passage) * (1 - 2.0 * k / first_chords);
       const Sample sampled = sample(s, passage.sheet);
-      const std::array<Box, 2> box = boxes(s, s, passage.sheet);
+      const BranchBox box = boxes(s, s, passage.sheet);
       const TubePointOf<Lanes> at = sampled.both.unit();
       std::array<double, 2> off{};
       for (std::size_t track = 0; track < 2; ++track) {
-        off[track] = distance_from_box(box[std::min(track, tracks_ - 1)], sampled.track(track).unit().at);
+        off[track] = distance_from_box(box.track[std::min(track, tracks_ - 1)], sampled.track(track).unit().at);
         found[track] += off[track] < told;
       }
       references_.push_back({k, at.at, {off[0], off[1]}});
@@ -244,48 +247,49 @@ class Tracer {
   }
 
   double extent_of_box(std::size_t k, const Sample& x, const Sample& y, double from, double to, int sheet) const {
-    const std::array<Box, 2> box = boxes(from, to, sheet);
-    const double extent = chart_.extent(box[k], x.at(k), y.at(k));
-    return k == 1 && !(extent <= options_.tolerance) ? partner_extent(x, y, box[0]) : extent;
+    const BranchBox box = boxes(from, to, sheet);
+    const double extent = chart_.extent(box.track[k], x.at(k), y.at(k));
+    return k == 1 && !(extent <= options_.tolerance) ? partner_extent(x, y, box.seen) : extent;
   }
 
-  std::array<Box, 2> boxes(double from, double to, int sheet) const {
+  BranchBox boxes(double from, double to, int sheet) const {
+    const BranchForms<Interval>& branch = branch_->enclosing;
     if (from == to) {
-      const Box at = branch_->enclosing(Interval(from), sheet);
-      return {at, tracks_ == 2 ? partner<Interval>(partner_->enclosing, at) : at};
+      const Box seen = branch.seen(Interval(from), sheet), at = branch.frame.placed(seen);
+      return {{at, tracks_ == 2 ? partner<Interval>(partner_->enclosing, seen) : at}, seen};
     }
-    if (tracks_ == 1) return {box_of_points(branch_->enclosing, from, to, sheet)};
-    const BranchBox box = box_with_partners(branch_->enclosing, *partner_, from, to, sheet);
-    return {box.points, box.partners};
+    if (tracks_ == 2) return box_with_partners(branch, *partner_, from, to, sheet);
+    return {{box_of_points(branch, from, to, sheet)}, {}};
   }
 
-  /// As Chart::extent, of the partners of a box: no matter how long it is where all of them are one point.
+  /// As Chart::extent, of the partners of a box in the frame: no matter how long it is where all of them are one point.
   double partner_extent(const Sample& x, const Sample& y, const Box& p) const {
     return chart_.extent(partners_about(*partner_, x.at(1), p), x.at(1), y.at(1));
   }
 
-  /// Whether doubles tell where on the curves x is: not so beside a point that has a line of partners.
+  /// Whether doubles tell where on the curves x is, well within the tolerance: not so beside a point that has a line of
+  /// partners.
   bool tells(const Sample& x, double s, int sheet) const {
     for (std::size_t k = 0; x.near && k < tracks_; ++k)
-      if (!(extent_of_box(k, x, x, s, s, sheet) <= 0x1p-10 * options_.tolerance)) return false;
+      if (!(extent_of_box(k, x, x, s, s, sheet) <= 0x1p-2 * options_.tolerance)) return false;
     return true;
   }
 
   bool left_out(const Sample& x, const Sample& y, double from, double to, int sheet) const {
     for (std::size_t k = 0; k < tracks_; ++k) {
       const Reference* other = elsewhere(x, y, k);
-      const auto at_x = [&] { return boxes(from, from, sheet)[k]; };
+      const auto at_x = [&] { return boxes(from, from, sheet).track[k]; };
       if (other && chart_.outside(form(k), x.track(k), y.track(k), other->of(k), other->off[k], at_x)) return true;
     }
     if (std::abs(to - from) > short_passage) return false;
-    const std::array<Box, 2> box = boxes(from, to, sheet);  // near singular points no tube can be proved
-    return chart_.outside(box[0]) || (tracks_ == 2 && chart_.outside(box[1]));
+    const BranchBox box = boxes(from, to, sheet);  // near singular points no tube can be proved
+    return chart_.outside(box.track[0]) || (tracks_ == 2 && chart_.outside(box.track[1]));
   }
 
   /// Whether the box that holds the branch at x lies in the tube of the chord, or in a wider one.
   bool is_on_branch(std::size_t k, const Sample& x, const Sample& y, double width, double from, int sheet) const {
     const TubePoint a = x.track(k), b = y.track(k);
-    const double extent = chart_.extent(boxes(from, from, sheet)[k], a.at, a.at);
+    const double extent = chart_.extent(boxes(from, from, sheet).track[k], a.at, a.at);
     if (extent <= width) return true;
     const auto chord = chart_.chord(a.at, b.at);
     return std::isfinite(extent) && chord && tube(form(k), a, b, *chord, extent);

@@ -1,6 +1,8 @@
 #include "burmester/geometry/paired_curves.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -9,17 +11,28 @@
 namespace burmester {
 namespace {
 
-/// How far the cubic is from being singular at a point of it and from holding its tangent there, each as a share of
-/// what would be without cancellation; zero where it is or does. A line through the base that nearly splits off is run
+/// How far the cubic is from being singular at a point of it, and lines through that from being part of it, each as a
+/// share of what would be without cancellation; zero where it is or they are. A line that nearly splits off is run
 /// through while the pencil hardly turns.
 double suitability(const Cubic<double>& f, const Point2<double>& base) {
   Cubic<double> sizes;
   std::ranges::transform(f.c, sizes.c.begin(), [](double c) { return std::abs(c); });
   const CubicPencil<double> pencil(f, base.normalized()), most(sizes, base.cwiseAbs().normalized());
-  const Point1<double> u{pencil.a.c[1], -pencil.a.c[0]}, tangent = u.normalized(), v = tangent.cwiseAbs();
-  const double out = u.norm() / std::hypot(most.a.c[0], most.a.c[1]) *
-                     std::max(std::abs(pencil.b(tangent)), std::abs(pencil.c(tangent))) / (most.b(v) + most.c(v));
-  return out > 0 ? out : 0;  // not a number: singular
+  double out = std::numeric_limits<double>::infinity();
+  const auto see = [&](const Point1<double>& direction) {
+    const Point1<double> u = direction.normalized(), v = u.cwiseAbs();
+    const double left = std::max({std::abs(pencil.a(u)), std::abs(pencil.b(u)), std::abs(pencil.c(u))});
+    out = std::min(out, left / (most.a(v) + most.b(v) + most.c(v)));
+  };
+  const Point1<double> tangent{pencil.a.c[1], -pencil.a.c[0]};
+  const double regular = tangent.norm() / std::hypot(most.a.c[0], most.a.c[1]);
+  if (!(regular > 0)) return 0;  // also where it is not a number
+  see(tangent);
+  const double b0 = pencil.b.c[0], half = pencil.b.c[1] / 2, b2 = pencil.b.c[2],
+               q = half + std::copysign(std::sqrt(std::max(0.0, half * half - b0 * b2)), half);
+  for (const Point1<double>& root : {Point1<double>(b2, -q), Point1<double>(q, -b0)})
+    if (root.squaredNorm() > 0) see(root);
+  return regular * out;
 }
 
 /// The vertices, the most suitable first.
@@ -76,16 +89,22 @@ std::optional<Matrix<double, 3, 3>> dependence(const ThreeCorrelations<Interval>
       out(k, j) = left.cwiseProduct(other).sum() / other.squaredNorm();
       left -= out(k, j) * other;
     }
-    some = some || left.norm() < 0x1p-10 * size;
+    some = some || left.norm() < 0x1p-6 * size;
   }
   return some && out.allFinite() ? std::optional(out) : std::nullopt;
 }
 
-/// The same points and partners: N_k less those multiples, computed exactly, and brought to size 1.
-ThreeCorrelations<Interval> independent(ThreeCorrelations<Rational> n, const Matrix<double, 3, 3>& dependence) {
-  for (int k = 0; k < 3; ++k)
+/// The same points and partners: N_k less those multiples.
+ThreeCorrelations<Rational> independent(ThreeCorrelations<Rational> n,
+                                        const std::optional<Matrix<double, 3, 3>>& dependence) {
+  for (int k = 0; dependence && k < 3; ++k)
     for (int j = 0; j < k; ++j)
-      n[static_cast<std::size_t>(k)] -= Rational(dependence(k, j)) * n[static_cast<std::size_t>(j)];
+      n[static_cast<std::size_t>(k)] -= Rational((*dependence)(k, j)) * n[static_cast<std::size_t>(j)];
+  return n;
+}
+
+/// Each brought to size 1.
+ThreeCorrelations<Interval> enclosures(const ThreeCorrelations<Rational>& n) {
   ThreeCorrelations<Interval> out;
   for (std::size_t k = 0; k < 3; ++k) {
     double size = 0;
@@ -157,13 +176,25 @@ PairedCurves paired_curves(const DecidingCorrelations& correlations, TraceCurve 
   auto n = correlations.intervals();
   const auto order = order_of_bases(n);
   const auto nearly = dependence(n);
-  auto found = nearly ? std::nullopt : branches_by_intervals(n, order);
-  const CubicBranches branches = found ? std::move(*found) : branches_by_rationals(correlations.rationals(), order);
+  // Chords go with the square root of the tolerance. Whole curves took fewer samples; more are of use only where
+  // doubles do not tell.
+  TraceOptions limited = options;
+  limited.most_samples = static_cast<int>(
+      std::min<double>(options.most_samples, 600 * std::sqrt(std::max(1.0, options.longest / options.tolerance))));
+  if (const auto branches = nearly ? std::nullopt : branches_by_intervals(n, order)) {
+    TracedCurve traced =
+        trace(*branches, tube_curve(points_with_partner(n)), partner_curve(n, branches->frame), limited);
+    if (traced.complete) return {branches->topology, std::move(traced)};
+  }
+  const CubicBranches branches = branches_by_rationals(correlations.rationals(), order);
   PairedCurves out{branches.topology, {}};
   if (branches.topology.rung == Rung::none) return out;
-  if (nearly) n = independent(correlations.rationals(), *nearly);
-  out.traced = trace(branches, tube_curve(points_with_partner(n)), partner_curve(n), options);
-  if (!branches.topology.singular.empty()) add_lines_of_partners(correlations.rationals(), trace, options, out);
+  const ThreeCorrelations<Rational> exact = independent(correlations.rationals(), nearly);
+  const BranchFrame<Rational> frame{*branches.base, branches.frame.i, branches.frame.j};
+  n = enclosures(exact);
+  const auto seen = enclosures({frame.seen(exact[0]), frame.seen(exact[1]), frame.seen(exact[2])});
+  out.traced = trace(branches, tube_curve(points_with_partner(n)), partner_curve(n, seen), limited);
+  if (!branches.topology.singular.empty()) add_lines_of_partners(correlations.rationals(), trace, limited, out);
   return out;
 }
 

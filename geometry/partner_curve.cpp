@@ -16,14 +16,19 @@ TubeCurve tube_curve(const Cubic<Interval>& f) {
   return TubeCurve(middle, error);
 }
 
-PartnerCurve partner_curve(const std::array<Correlation<Interval>, 3>& n) {
+PartnerCurve partner_curve(const std::array<Correlation<Interval>, 3>& n,
+                           const std::array<Correlation<Interval>, 3>& seen) {
   std::array<Correlation<double>, 3> middle;
   std::array<Correlation<Interval>, 3> back;
   for (std::size_t k = 0; k < 3; ++k) {
-    for (int i = 0; i < 9; ++i) middle[k](i) = approximate(n[k](i));
+    for (int i = 0; i < 9; ++i) middle[k](i) = approximate(seen[k](i));
     back[k] = n[k].transpose();
   }
-  return {middle, n, tube_curve(points_with_partner(back))};
+  return {middle, seen, tube_curve(points_with_partner(back))};
+}
+
+PartnerCurve partner_curve(const std::array<Correlation<Interval>, 3>& n, const BranchFrame<Interval>& frame) {
+  return partner_curve(n, {frame.seen(n[0]), frame.seen(n[1]), frame.seen(n[2])});
 }
 
 }  // namespace burmester

@@ -5,12 +5,14 @@
 #include <array>
 
 #include "burmester/geometry/correlations.hpp"
+#include "burmester/geometry/cubic_branches.hpp"
 #include "burmester/geometry/curve_tube.hpp"
 #include "burmester/geometry/interval.hpp"
 
 namespace burmester {
 
-/// The curve of the partners: of the points p of the traced curve, c with p^T N c = 0 for three correlations N.
+/// The curve of the partners: of the points p of the traced curve, in the frame of its branches, c with p^T N c = 0 for
+/// three correlations N.
 struct PartnerCurve {
   std::array<Correlation<double>, 3> approximate;
   std::array<Correlation<Interval>, 3> enclosing;
@@ -19,7 +21,9 @@ struct PartnerCurve {
 
 /// What the tube test needs of a cubic whose coefficients lie in intervals.
 TubeCurve tube_curve(const Cubic<Interval>& f);
-/// Below an UpwardRounding.
-PartnerCurve partner_curve(const std::array<Correlation<Interval>, 3>& n);
+/// Below an UpwardRounding. n: between the plane's own points; seen: the same, of points in the frame.
+PartnerCurve partner_curve(const std::array<Correlation<Interval>, 3>& n,
+                           const std::array<Correlation<Interval>, 3>& seen);
+PartnerCurve partner_curve(const std::array<Correlation<Interval>, 3>& n, const BranchFrame<Interval>& frame);
 
 }  // namespace burmester

@@ -35,7 +35,8 @@ Traced trace_plane_positions(const std::array<FourDoubles, 3>& d, const TraceOpt
   const UpwardRounding upward;
   const auto n = equidistant_in_plane<Interval>(d);
   const Cubic<Interval> f = points_with_partner(n);
-  Traced out{branches_by_intervals(f, vertex(n[0])).value(), partner_curve(n), {}};
+  Traced out{branches_by_intervals(f, vertex(n[0])).value(), std::nullopt, {}};
+  out.partner = partner_curve(n, out.branches.frame);
   TracedCurve traced = trace_in_plane(out.branches, tube_curve(f), out.partner, options);
   EXPECT_TRUE(traced.complete);
   out.pieces = std::move(traced.pieces);
@@ -89,8 +90,8 @@ TEST(CurveTrace, EveryPointOfTheCurveInTheWindowIsWithinTheErrorOfThePolyline) {
     for (const CubicBranch& branch : traced.branches.branches)
       for (const CubicBranch::Passage& passage : branch.passages)
         for (int n = 0; n < 50; ++n) {
-          const Point p = branch.approximate(random.uniform(-1, 1), passage.sheet),
-                      c = partner(traced.partner->approximate, p);
+          const Point seen = branch.approximate.seen(random.uniform(-1, 1), passage.sheet),
+                      p = branch.approximate.frame.placed(seen), c = partner(traced.partner->approximate, seen);
           const auto inside = [&](const Point& x) {
             return std::max(std::abs(x[0]), std::abs(x[1])) < options.window * std::abs(x[2]);
           };
@@ -175,7 +176,8 @@ TEST(CurveTrace, OnTheSphereEachBranchIsOneClosedPieceWithinItsError) {
     const Cubic<Interval> f = points_with_partner(n);
     const auto branches = branches_by_intervals(f, vertex(n[0]));
     ASSERT_TRUE(branches);
-    const auto pieces = trace_on_sphere(*branches, tube_curve(f), partner_curve(n), {1e-4, 0.2}).pieces;
+    const auto pieces =
+        trace_on_sphere(*branches, tube_curve(f), partner_curve(n, branches->frame), {1e-4, 0.2}).pieces;
     ASSERT_EQ(pieces.size(), branches->branches.size());
     int odd = 0;
     for (const CurvePiece& piece : pieces) {

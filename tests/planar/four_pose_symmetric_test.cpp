@@ -87,5 +87,27 @@ TEST(SymmetricPoses, NearlySo) {
   }
 }
 
+/// Equal steps of a small turn: along a line, or with the other coordinate free; exact but for rounding, and perturbed
+/// by 2^-15 to 2^-44. The poles are far away and close together.
+TEST(SmallEqualSteps, AreWholeInEveryOrderFrameAndUnit) {
+  Random random("SmallEqualSteps.AreWholeInEveryOrderFrameAndUnit");
+  for (const double turn : {1e-2, 1e-3, 1e-4, 1e-5})
+    for (int i = 0; i < 40; ++i) {
+      const double x = random.normal(), y = random.normal(),
+                   unit = std::ldexp(1.0, static_cast<int>(random.uniform(-9, 9))),
+                   off = i % 4 == 0 ? 0 : std::ldexp(1.0, -15 - i % 30),
+                   turned = i % 3 == 0 ? random.uniform(-3, 3) : 0;
+      const auto nudge = [&] { return off * random.uniform(-1, 1); };
+      FourPoseTask task;
+      for (int j = 0; j < 4; ++j) {
+        const double along = j * x + nudge(), across = i % 2 == 0 ? j * y + nudge() : random.uniform(-1, 1);
+        const Vector2 at = unit * rotated(pose_from_radians(0, 0, turned), {along, across});
+        task[static_cast<std::size_t>(j)] = pose_from_radians(at[0], at[1], turned + turn * (j + nudge()));
+      }
+      std::rotate(task.begin(), task.begin() + i % 4, task.end());
+      expect_whole(task, "turn " + std::to_string(turn) + ", set " + std::to_string(i));
+    }
+}
+
 }  // namespace
 }  // namespace burmester::planar

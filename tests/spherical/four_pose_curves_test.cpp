@@ -318,5 +318,38 @@ TEST(SphericalFourPoseCurves, OfMirroredQuaternionsAreWhole) {
     }
   }
 }
+
+/// Axes of the rotations within 2^-15 to 2^-44 of one axis, for three of the orientations or (to 2^-20) all four:
+/// points stand still while their partners run along a great circle.
+TEST(SphericalFourPoseCurves, OfNearlyCoaxialOrientationsAreWhole) {
+  Random random("SphericalFourPoseCurves.OfNearlyCoaxialOrientationsAreWhole");
+  for (int i = 0; i < 240; ++i) {
+    const bool all = i % 4 == 0;
+    const double off = std::ldexp(1.0, all ? -10 - i % 11 : -15 - i % 30);
+    const Axis axis = Space::random_feature(random);
+    const Pose frame = Space::random_pose(random);
+    FourPoseTask task;
+    for (Pose& pose : task) {
+      const Axis about = (axis + off * Space::random_feature(random)).normalized();
+      const double half = random.uniform(-1.5, 1.5), s = std::sin(half);
+      pose = product(frame, {std::cos(half), s * about[0], s * about[1], s * about[2]});
+    }
+    if (!all) task[3] = Space::random_pose(random);
+    std::rotate(task.begin(), task.begin() + i % 3, task.end());
+    const FourPoseCurves curves = four_pose_curves(task);
+    EXPECT_TRUE(curves.complete) << i;
+    std::size_t points = 0;
+    for (const CurveRecord& piece : curves.pieces) {
+      EXPECT_TRUE(piece.closed) << i;
+      points += piece.moving.size();
+      for (std::size_t k = 0; k < piece.moving.size(); ++k)
+        // where the base is away from the axis and the partner runs while its point stands still, fewer digits
+        EXPECT_LT(change_of_arc(task, axis_of(piece.moving[k]), axis_of(piece.fixed[k])), 1e-5) << i;
+    }
+    EXPECT_GT(points, 60u) << i;
+    EXPECT_LT(points, all ? 2000u : 600u) << i;
+  }
+}
+
 }  // namespace
 }  // namespace burmester::spherical
