@@ -100,7 +100,8 @@ class Tracer {
 
   const TubeCurve& form(std::size_t track) const { return track == 0 ? curve_ : partner_->curve; }
 
-  /// Leads x to what `end` shows, as the continuation of x, in steps as long as the last chord lets one expect.
+  /// Leads x to what `end` shows, as the continuation of x, in steps as long as the last chord lets one expect. Not so
+  /// behind a box: longer chords may have tubes where short ones have none.
   void march(Sample& x, const Sample& end, double from, double to, int sheet) {
     for (double steps; samples_ <= most_ && (steps = std::abs(to - from) * density_) > 1;) {
       const double next = from + (to - from) / std::ceil(steps);
@@ -155,7 +156,7 @@ class Tracer {
   /// parts = 1: accepted; otherwise as many parts as are expected to be.
   struct Chord : ProvedChord {
     int parts = 2;
-    double density = 0;  ///< chords of the allowed error per unit of the parameter
+    double density = 0;  ///< chords of the allowed error per unit of the parameter; 0: not known
     Chord() = default;
     explicit Chord(int p) : parts(p) {}
   };
@@ -171,7 +172,8 @@ class Tracer {
         if (!judge(k, x, y, from, to, sheet, out)) return {};
     const double ratio = std::sqrt(std::max(out.error * per_tolerance_, length));
     if (out.error > options_.tolerance) return Chord(parts_for(ratio));
-    out.parts = 1, out.density = std::max(ratio, 0.25) / (aim * std::abs(to - from));
+    out.parts = 1;
+    if (!out.has_box()) out.density = std::max(ratio, 0.25) / (aim * std::abs(to - from));
     return out;
   }
 

@@ -11,9 +11,9 @@
 namespace burmester {
 namespace {
 
-/// How far the cubic is from being singular at a point of it, and lines through that from being part of it, each as a
-/// share of what would be without cancellation; zero where it is or they are. A line that nearly splits off is run
-/// through while the pencil hardly turns.
+/// How far lines through a point of the cubic are from being part of it, as a share of what would be without
+/// cancellation; zero where they are, or where it is singular there. A line that nearly splits off is run through while
+/// the pencil hardly turns.
 double suitability(const Cubic<double>& f, const Point2<double>& base) {
   Cubic<double> sizes;
   std::ranges::transform(f.c, sizes.c.begin(), [](double c) { return std::abs(c); });
@@ -25,14 +25,13 @@ double suitability(const Cubic<double>& f, const Point2<double>& base) {
     out = std::min(out, left / (most.a(v) + most.b(v) + most.c(v)));
   };
   const Point1<double> tangent{pencil.a.c[1], -pencil.a.c[0]};
-  const double regular = tangent.norm() / std::hypot(most.a.c[0], most.a.c[1]);
-  if (!(regular > 0)) return 0;  // also where it is not a number
+  if (!(tangent.norm() > 0)) return 0;  // also where it is not a number
   see(tangent);
   const double b0 = pencil.b.c[0], half = pencil.b.c[1] / 2, b2 = pencil.b.c[2],
                q = half + std::copysign(std::sqrt(std::max(0.0, half * half - b0 * b2)), half);
   for (const Point1<double>& root : {Point1<double>(b2, -q), Point1<double>(q, -b0)})
     if (root.squaredNorm() > 0) see(root);
-  return regular * out;
+  return out;
 }
 
 /// The vertices, the most suitable first.

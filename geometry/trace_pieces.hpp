@@ -19,6 +19,7 @@ struct ProvedChord {
   std::array<double, 2> width{};  ///< of the tubes
   /// In place of a width: a box proved it, which holds the branch.
   static constexpr double by_box = std::numeric_limits<double>::infinity();
+  bool has_box() const { return width[0] == by_box || width[1] == by_box; }
 };
 
 class TracePieces {
@@ -84,7 +85,7 @@ class TracePieces {
   void merge_or_append(const Sample& x, const Sample& y, const ProvedChord& chord) {
     CurvePiece& piece = pieces_.back();
     double error = chord.error;
-    const bool by_box = std::ranges::find(chord.width, ProvedChord::by_box) != chord.width.end();
+    const bool by_box = chord.has_box();
     if (by_box) {
       const auto distance = [&](const Sample& from) { return std::sqrt(largest(squared_distances(from, y))); };
       const Merged more{merged_.from, std::max(merged_.reach, distance(merged_.from)), std::max(merged_.error, error),

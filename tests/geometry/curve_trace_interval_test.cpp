@@ -35,7 +35,8 @@ Traced trace_plane_positions(const std::array<FourDoubles, 3>& d, const TraceOpt
   const UpwardRounding upward;
   const auto n = equidistant_in_plane<Interval>(d);
   const Cubic<Interval> f = points_with_partner(n);
-  Traced out{branches_by_intervals(f, vertex(n[0])).value(), std::nullopt, {}};
+  const auto exact = equidistant_in_plane<Rational>(d);
+  Traced out{branches_of(points_with_partner(exact), vertex(exact[0])), std::nullopt, {}};
   out.partner = partner_curve(n, out.branches.frame);
   TracedCurve traced = trace_in_plane(out.branches, tube_curve(f), out.partner, options);
   EXPECT_TRUE(traced.complete);
