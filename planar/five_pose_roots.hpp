@@ -46,8 +46,8 @@ struct FivePoseRoots {
 
 /// A pivot, or the pencil's cubic, counts as zero when it is below what rounding the data once can make of zero:
 /// AnchorChoice::noise over the pivot that amplifies it, times this factor for the additions in between. In 100,000
-/// tasks of each class the quotient was at most 21 for degenerate and at least 180,000 for the other tasks.
-inline constexpr double noise_factor = 256;
+/// tasks of each class the quotient was at most 150 for degenerate and at least 74,000 for the other tasks.
+inline constexpr double noise_factor = 2048;
 
 FivePoseRoots<double> five_pose_roots(FivePoses poses);
 

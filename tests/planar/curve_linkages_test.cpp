@@ -157,7 +157,6 @@ TEST(CurveLinkages, FollowTheUnitAndTheFrame) {
              other = linkages_from_curves(moved, four_pose_curves(moved).pieces);
   ASSERT_EQ(found.size(), other.size());
   ASSERT_FALSE(found.empty());
-  EXPECT_EQ(found[0].motion_class, "crank-rocker");
   for (std::size_t k = 0; k < found.size(); ++k) {
     EXPECT_NEAR(found[k].link_ratio, other[k].link_ratio, 1e-9) << k;
     EXPECT_EQ(found[k].motion_class, other[k].motion_class) << k;
