@@ -138,7 +138,7 @@ class Tracer {
         density_ = chord.density;
       }
     } else if (!x.valid && !y.valid) {
-      pieces_.give_up();
+      give_up();
       parts = 1;
     } else if (x.valid && y.valid && left_out(x, y, from, to, sheet)) {
       pieces_.interrupt();
@@ -149,8 +149,12 @@ class Tracer {
     const double length = (to - from) / parts, size = std::abs(length);
     const bool no_more = size < shortest_step || samples_ > most_ || from + length == from || to - length == to;
     if (!no_more && (size > short_step || tells(x, from, sheet) || tells(y, to, sheet))) return parts;
-    pieces_.give_up();
+    give_up();
     return 1;
+  }
+  void give_up() {
+    pieces_.give_up();
+    density_ = 0;
   }
 
   /// parts = 1: accepted; otherwise as many parts as are expected to be.

@@ -22,7 +22,8 @@ double suitability(const Cubic<double>& f, const Point2<double>& base) {
   const auto see = [&](const Point1<double>& direction) {
     const Point1<double> u = direction.normalized(), v = u.cwiseAbs();
     const double left = std::max({std::abs(pencil.a(u)), std::abs(pencil.b(u)), std::abs(pencil.c(u))});
-    out = std::min(out, left / (most.a(v) + most.b(v) + most.c(v)));
+    const double all = most.a(v) + most.b(v) + most.c(v);
+    out = std::min(out, all > 0 ? left / all : 0);
   };
   const Point1<double> tangent{pencil.a.c[1], -pencil.a.c[0]};
   if (!(tangent.norm() > 0)) return 0;  // also where it is not a number
@@ -72,9 +73,11 @@ CubicBranches branches_by_rationals(const ThreeCorrelations<Rational>& n, const 
 }
 
 /// Coefficients (k, j), j < k: N_k less their sum of the N_j before it is orthogonal to these. Nothing where that
-/// leaves a thousandth of each N or more. Two pairs of close positions make two of the N nearly multiples of each
-/// other, and their common points and partners cancel.
-std::optional<Matrix<double, 3, 3>> dependence(const ThreeCorrelations<Interval>& enclosing) {
+/// leaves a 64th of each N or more. Two pairs of close positions make two of the N nearly multiples of each other, and
+/// their common points and partners cancel. With small numbers that tell places near the origin only near-multiples are
+/// subtracted: others would swamp them.
+std::optional<Matrix<double, 3, 3>> dependence(const ThreeCorrelations<Interval>& enclosing, bool tell_near_origin) {
+  constexpr double nearly = 0x1p-6;
   ThreeCorrelations<double> n;
   Matrix<double, 3, 3> out = Matrix<double, 3, 3>::Zero();
   bool some = false;
@@ -85,10 +88,12 @@ std::optional<Matrix<double, 3, 3>> dependence(const ThreeCorrelations<Interval>
     for (int j = 0; j < k; ++j) {
       const auto& other = n[static_cast<std::size_t>(j)];
       if (!(other.squaredNorm() > 0)) return std::nullopt;
-      out(k, j) = left.cwiseProduct(other).sum() / other.squaredNorm();
-      left -= out(k, j) * other;
+      const double factor = left.cwiseProduct(other).sum() / other.squaredNorm();
+      const Correlation<double> less = left - factor * other;
+      if (tell_near_origin && !(less.norm() < nearly * left.norm())) continue;
+      out(k, j) = factor, left = less;
     }
-    some = some || left.norm() < 0x1p-6 * size;
+    some = some || left.norm() < nearly * size;
   }
   return some && out.allFinite() ? std::optional(out) : std::nullopt;
 }
@@ -174,7 +179,7 @@ PairedCurves paired_curves(const DecidingCorrelations& correlations, TraceCurve 
   const UpwardRounding upward;
   auto n = correlations.intervals();
   const auto order = order_of_bases(n);
-  const auto nearly = dependence(n);
+  const auto nearly = dependence(n, correlations.tell_near_origin);
   // Chords go with the square root of the tolerance. Whole curves took fewer samples; more are of use only where
   // doubles do not tell.
   TraceOptions limited = options;

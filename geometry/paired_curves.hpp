@@ -17,6 +17,7 @@ using ThreeCorrelations = std::array<Correlation<T>, 3>;
 struct DecidingCorrelations {
   std::function<ThreeCorrelations<Interval>()> intervals;  ///< called below an UpwardRounding
   std::function<ThreeCorrelations<Rational>()> rationals;  ///< exact; called where the intervals do not tell
+  bool tell_near_origin = false;  ///< the vertices are near the origin: small numbers tell where
 };
 
 /// trace_in_plane or trace_on_sphere

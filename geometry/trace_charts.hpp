@@ -37,7 +37,8 @@ struct Sample {
   }
 };
 
-inline double largest(const Lanes& of) { return std::max(of[0], of[1]); }
+/// Not a number where one is none.
+inline double largest(const Lanes& of) { return of[0] > of[1] || std::isnan(of[0]) ? of[0] : of[1]; }
 inline Lanes squared_distances(const Sample& x, const Sample& y) {
   const Point2<Lanes> way = y.both.at - x.both.at;
   return TubePointOf<Lanes>::dot(way, way);
@@ -65,10 +66,8 @@ inline double distance_from_box(const Box& box, const Point& x) { return patch_o
 /// Of two unit vectors; across their plane. Not a number where they are the same.
 template <class T>
 HalfChordOf<T> chord_between_axes(const Point2<T>& x, const Point2<T>& y) {
-  const T half(0.5), one(1);
-  const Vector<T, 3> across = x.cross(y), d = (y - x) * half;
-  const T length = TubePointOf<T>::length_of(d);
-  return {d, across * (one / TubePointOf<T>::length_of(across)), length, one / length};
+  const Vector<T, 3> across = x.cross(y);
+  return HalfChordOf<T>::between(x, y, across * (T(1) / TubePointOf<T>::length_of(across)));
 }
 
 /// The affine plane z = 1, seen through a square window.
@@ -81,7 +80,7 @@ class Plane {
     const double reach = margin * window_ * std::abs(x[2]);
     if (!(std::abs(x[0]) <= reach && std::abs(x[1]) <= reach) || x[2] == 0) return x.normalized();
     const double scale = 1 / x[2];
-    return {x[0] * scale, x[1] * scale, 1};
+    return std::isfinite(scale) ? Point(x[0] * scale, x[1] * scale, 1) : Point(x.normalized());
   }
   bool inside(const Point& x, double factor) const {
     const double reach = factor * window_ * std::abs(x[2]);

@@ -88,15 +88,17 @@ class TracePieces {
     const bool by_box = chord.has_box();
     if (by_box) {
       const auto distance = [&](const Sample& from) { return std::sqrt(largest(squared_distances(from, y))); };
-      const Merged more{merged_.from, std::max(merged_.reach, distance(merged_.from)), std::max(merged_.error, error),
-                        true};
+      const Merged alone{x, distance(x), error, true};
+      const Merged more = merged_.open ? Merged{merged_.from, std::max(merged_.reach, distance(merged_.from)),
+                                                std::max(merged_.error, error), true}
+                                       : alone;
       if (merged_.open && more.reach + more.error <= tolerance_) {
         piece.points.pop_back();
         if (tracks_ == 2) piece.partners.pop_back();
         merged_ = more;
         error = more.reach + more.error;
       } else {
-        merged_ = {x, distance(x), error, true};
+        merged_ = alone;
       }
     }
     merged_.open = by_box;

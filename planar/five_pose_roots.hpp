@@ -13,7 +13,8 @@
 namespace burmester::planar {
 
 /// What the five poses turned out to be. Everything but `regular` and `two_orientations` is a degeneracy that a
-/// caller must name; the roots listed with it are the isolated dyads.
+/// caller must name; the roots listed with it are the isolated dyads. Those before `rotation` are told by equal
+/// orientations, the others by size (`degenerate_within_rounding` uses the order).
 enum class FivePoseCase {
   regular,            ///< four dyads over the complex numbers
   equal_poses,        ///< two poses coincide: in effect four poses, a curve of dyads

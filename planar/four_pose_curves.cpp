@@ -104,12 +104,14 @@ FourPoseCurves four_pose_curves(FourPoses poses, const CurveOptions& options) {
   const Task task(poses);
   if (task.pole() && task.pole()->all) {
     FourPoseCurves none;
-    none.topology.reason = "every point lies on it to within rounding; all four poses are rotations about one point, " +
-                           shown(task.pole()->at);
+    none.topology.reason =
+        fmt::format("every point lies on it to within rounding; all four poses are rotations about one point, {}",
+                    shown(task.pole()->at));
     return none;
   }
   PairedCurves curves =
-      paired_curves({[&] { return task.correlations<Interval>(); }, [&] { return task.correlations<Rational>(); }},
+      paired_curves({[&] { return task.correlations<Interval>(); }, [&] { return task.correlations<Rational>(); },
+                     task.is_about_pole()},
                     trace_in_plane, {options.tolerance, options.longest, task.window(options.window)});
   if (curves.topology.rung == Rung::none)
     if (const std::string words = degeneracy_of(poses); !words.empty()) curves.topology.reason += "; " + words;
@@ -130,8 +132,8 @@ PlanarReport FourPoseSolver::solve(std::span<const Pose> poses) const {
   const Task task(four);
   const double size = task_size(four), window = CurveOptions().window * task.length();
   if (curves_are_far(four))
-    report.message += fmt::format("; the poles are far: listed within {:.3g} of pose 1's origin, {:.3g} task sizes",
-                                  window, window / size);
+    report.message += fmt::format("; the poles are far: listed within {:.3g} of {}, {:.3g} task sizes", window,
+                                  task.pole() ? "the common pole" : "pose 1's origin", window / size);
   if (task.pole()) report.message += described(*task.pole());
   add_sliders(task, report);
   sort_dyads(report);

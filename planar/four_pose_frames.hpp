@@ -34,6 +34,8 @@ class FourPoseFrames {
 
   FourPoses poses() const { return poses_; }
   const std::optional<CommonPole>& pole() const { return pole_; }
+  /// Whether that is the origin.
+  bool is_about_pole() const { return off_ > 0; }
   double length() const { return length_; }
   /// About the origin, wider by the distance of pose 1's origins, in the same unit.
   double window(double about_pose_1) const { return about_pose_1 + off_; }

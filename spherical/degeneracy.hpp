@@ -7,8 +7,8 @@
 // value of a 2 x n matrix over C, whose 2 x 2 minors are of the size |s_ij x v|, s_ij the vector part of the rotation
 // from i to j: its square is, with an error of the fourth order,
 //     sum over i < j of |s_ij x v|^2 / n.
-// The least sum of both groups over all unit v is that of the two smaller eigenvalues of sum s_ij s_ij^T / n: the
-// distance of five unit quaternions from such. Axes of S: the same of the inverse rotations.
+// The least sum of both groups over all unit v is that of the two smaller eigenvalues of sum s_ij s_ij^T / n; its root
+// is the distance of five unit quaternions from such. Axes of S: the same of the inverse rotations.
 #pragma once
 
 #include "burmester/spherical/five_pose_equations.hpp"
@@ -20,9 +20,10 @@ enum class Degeneracy {
   equal_orientations,  ///< two orientations are equal: in effect four, curves of dyads
   one_axis,            ///< all rotate about one axis: every axis with that one
   rank_deficient,      ///< the four conditions on b (x) a are dependent: four orientations rotate about one axis
-  moving_on_circle,    ///< a moving axis takes only two places: the fixed axes with it are a great circle
-  fixed_on_circle,     ///< the same seen from the body
-  both_on_circles      ///< both: three orientations about one axis, the other two with that axis turned over
+  // Beside each of those below there may be other dyads.
+  moving_on_circle,  ///< a moving axis takes only two places: the fixed axes with it are a great circle
+  fixed_on_circle,   ///< the same seen from the body
+  both_on_circles    ///< both: three orientations about one axis, the other two with that axis turned over
 };
 
 struct NearDegeneracy {

@@ -27,8 +27,7 @@ constexpr const char* undecided =
     "not decided: two orientations, or axes of the rotations between them, agree almost to within rounding of the data";
 constexpr const char* indistinct_warning =
     "two orientations, or axes of the rotations between them, agree almost to within rounding: the answer holds for "
-    "the "
-    "doubles given";
+    "the doubles given";
 
 /// `same`: whether two of the poses count as equal.
 std::string name_degeneracy(Degeneracy what, std::span<const Pose> poses, bool (*same)(const Pose&, const Pose&)) {
@@ -175,8 +174,10 @@ SphericalReport FivePoseSolver::solve(std::span<const Pose> poses) const {
       roots.what == Degeneracy::none && roots.path == FivePosePath::sextic && (merging || !proved.complete);
   const Degeneracy what = hidden ? axis_in_two_places(five).kind : roots.what;
   if (what != Degeneracy::none || proved.degeneracy != Degeneracy::none)
-    return certify ? judged_degenerate(what, proved, five)
-                   : degenerate(name_degeneracy(what, poses, same_orientation) + " (any others are not listed)");
+    return certify
+               ? judged_degenerate(what, proved, five)
+               : degenerate(fmt::format("{}{}", name_degeneracy(what, poses, same_orientation),
+                                        what >= Degeneracy::moving_on_circle ? " (any others are not listed)" : ""));
   if (!proved.complete && (roots.indistinct || !roots.decided)) return degenerate(undecided);
   if (roots.indistinct) report.warnings.push_back(indistinct_warning);
   if (proved.complete && proved.count != roots.count)

@@ -62,9 +62,9 @@ void add_sliders(FourPoses poses, SphericalReport& report) {
 
 FourPoseCurves four_pose_curves(FourPoses poses, const CurveOptions& options) {
   const FourPoseFrames task(poses);
-  PairedCurves curves =
-      paired_curves({[&] { return task.correlations<Interval>(); }, [&] { return task.correlations<Rational>(); }},
-                    trace_on_sphere, {.tolerance = options.tolerance, .longest = options.longest});
+  PairedCurves curves = paired_curves(
+      {[&] { return task.correlations<Interval>(); }, [&] { return task.correlations<Rational>(); }, false},
+      trace_on_sphere, {.tolerance = options.tolerance, .longest = options.longest});
   if (curves.topology.rung == Rung::none)
     if (const std::string why = degeneracy_of(poses); !why.empty()) curves.topology.reason = why;
   return curves_in_frames(curves, task);

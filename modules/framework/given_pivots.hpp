@@ -28,6 +28,7 @@
 #include "burmester/geometry/range.hpp"
 #include "burmester/geometry/rational_interval.hpp"
 #include "burmester/modules/framework/condition.hpp"
+#include "burmester/modules/framework/expect_pivots.hpp"
 #include "burmester/modules/framework/local.hpp"
 #include "burmester/modules/framework/problem.hpp"
 #include "burmester/modules/framework/repeated.hpp"
@@ -252,14 +253,6 @@ Report<typename G::Dyads> family_of_dyads(std::span<const typename G::Pose> pose
         G::pivot);
   }
   return report;
-}
-
-/// Throws InputError for points that cannot be pivots; `name`: the key of the problem that gives them.
-template <class G>
-void expect_pivots(std::string_view name, const std::vector<std::vector<double>>& points) {
-  for (std::size_t k = 0; k < points.size(); ++k)
-    if (const char* expected = G::complaint(points[k]))
-      throw InputError(fmt::format("{}[{}]: expected {}", name, k, expected));
 }
 
 /// What a problem asks for that its other parts leave no room for. G: as for GivenPivots.

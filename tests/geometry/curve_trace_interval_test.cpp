@@ -262,6 +262,49 @@ TEST(CurveTrace, TwoTubesSideBySideAreThoseOneByOne) {
   EXPECT_GT(proved, 300);
 }
 
+/// A random chord: in the plane of two points with z = 1 and n in the plane, on the sphere of unit vectors.
+struct RandomChord {
+  Point x, y;
+  HalfChord chord;
+};
+RandomChord random_chord(Random& random, bool on_sphere) {
+  const auto vector = [&] { return Point(random.normal(), random.normal(), random.normal()); };
+  const double step = std::ldexp(random.uniform(), -random.below(25));
+  RandomChord out;
+  if (on_sphere) {
+    out.x = vector().normalized(), out.y = (out.x + step * vector()).normalized();
+    out.chord = detail::chord_between_axes(out.x, out.y);
+  } else {
+    out.x = Point(3 * random.normal(), 3 * random.normal(), 1);
+    out.y = out.x + step * Point(random.normal(), random.normal(), 0);
+    out.chord = *detail::Plane::chord(out.x, out.y);
+  }
+  return out;
+}
+
+TEST(CurveTrace, APointOverAChordIsSeenThereHoweverFarOffItMayBe) {
+  Random random("CurveTrace.APointOverAChord");
+  const TubeCurve any{Cubic<double>()};
+  int beside = 0;
+  for (int k = 0; k < 20000; ++k) {
+    const auto [x, y, chord] = random_chord(random, k % 2 == 0);
+    const TubePoint a(x, any), b(y, any);
+    const double radius = chord.length * std::ldexp(random.uniform(), -random.below(20)),
+                 off = k % 3 == 0 ? 0 : std::ldexp(random.uniform(), -10 - random.below(30));
+    const Point m = (x + y) / 2, over = m + random.uniform(-1, 1) * chord.d + random.uniform(-1, 1) * radius * chord.n,
+                moved(random.normal(), random.normal(), random.normal());
+    const Point z = (k % 5 == 0 ? -1 : 1) * (over.normalized() + 0.999 * off * moved.normalized()).normalized();
+    EXPECT_TRUE(over_chord(a, b, chord, radius, z, off)) << k;
+    EXPECT_FALSE(beside_chord(a, b, chord, radius, z, off)) << k;
+    if (chord.length < 1e-4) continue;  // roundings of 1e-9 are allowed for
+    const Point away = m + (2 + random.uniform()) * (k % 2 == 0 ? chord.length : -chord.length) * chord.n;
+    const double told = 0.1 * chord.length / m.squaredNorm();  // well below the distance
+    EXPECT_FALSE(over_chord(a, b, chord, chord.length / 2, away.normalized(), std::min(off, told))) << k;
+    beside += beside_chord(a, b, chord, chord.length / 2, Point(away.normalized()), std::min(off, told));
+  }
+  EXPECT_GT(beside, 4000);
+}
+
 TEST(CurveTrace, ErrorsOfTheCoefficientsCount) {
   Cubic<double> f;
   f.c[2] = 1, f.c[7] = 1, f.c[9] = -1;

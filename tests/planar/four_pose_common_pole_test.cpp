@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 
 #include "burmester/planar/near_curve.hpp"
 #include "four_poses.hpp"
@@ -114,6 +116,25 @@ TEST(CommonPole, NearlyTheSameDyadsAreListed) {
         EXPECT_LT(distance_from(moved.seen(dyad), curves.pieces), 1e-4 * task_size(moved.task) + 1e3 * by)
             << by << " " << i;
     }
+}
+
+/// Nearly the same turns make two of the correlations nearly multiples of each other, in any order of the poses.
+TEST(CommonPole, SmallStepsInEveryOrder) {
+  constexpr double degree = std::numbers::pi / 180;
+  for (const double step : {1.0, 0.5, 0.1}) {
+    std::array<Pose, 4> poses;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double at = (20 + step * static_cast<double>(k)) * degree;
+      poses[k] = pose_from_radians(2 + 1.1 * std::cos(at), 1 + 1.1 * std::sin(at), at);
+    }
+    poses[3] = pose_from_radians(1.5, 2.5, 75 * degree);
+    std::array<std::size_t, 4> order{0, 1, 2, 3};
+    do {
+      FourPoseTask task;
+      for (std::size_t k = 0; k < 4; ++k) task[k] = poses[order[k]];
+      whole_curves(task, fmt::format("steps of {} deg, order {}{}{}{}", step, order[0], order[1], order[2], order[3]));
+    } while (std::next_permutation(order.begin(), order.end()));
+  }
 }
 
 /// The set of the inverse motion has fixed and moving pivots exchanged.

@@ -1,5 +1,6 @@
 // Four symmetric poses: their curves split into a line and a circle, or would but for rounding, and are whole all the
 // same.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -105,7 +106,7 @@ TEST(SmallEqualSteps, AreWholeInEveryOrderFrameAndUnit) {
         task[static_cast<std::size_t>(j)] = pose_from_radians(at[0], at[1], turned + turn * (j + nudge()));
       }
       std::rotate(task.begin(), task.begin() + i % 4, task.end());
-      expect_whole(task, "turn " + std::to_string(turn) + ", set " + std::to_string(i));
+      expect_whole(task, fmt::format("turn {}, set {}", turn, i));
     }
 }
 
