@@ -10,6 +10,7 @@
 #include "burmester/modules/framework/condition.hpp"
 #include "burmester/modules/framework/search.hpp"
 #include "burmester/spherical/four_pose_curves.hpp"
+#include "cgal_leaks.hpp"
 #include "spherical_examples.hpp"
 
 namespace burmester::spherical {
