@@ -50,7 +50,7 @@ struct QuadAxes {
   Vector3Q fixed, moving;  ///< seen in the reference orientation
 };
 
-/// Orthogonal to all digits, with neighbours along the four variables of error_sum.
+/// Orthogonal to all digits, with neighbours along the four variables of angle_errors.
 QuadAxes at(const AxesAt& x, const Vector<Quad, 4>& u, Quad length) {
   const Vector3Q b = unit(x.frame.col(0).cast<Quad>()), n = unit(b.cross(Vector3Q(x.frame.col(1).cast<Quad>()))),
                  p = n.cross(b);
@@ -80,10 +80,25 @@ Quad half_sum(std::span<const Pose> poses, const QuadAxes& x) {
   return sum;
 }
 
+/// Half the sum of squares with its derivatives.
+struct ErrorSum {
+  double value = 0;
+  Eigen::Vector4d gradient;
+  Eigen::Matrix4d hessian;
+};
+
+template <class D>
+ErrorSum error_sum(const TurnedTask& task, const AxesAt& x) {
+  const AngleErrors at = angle_errors<D>(task, x);
+  const Eigen::VectorXd weighted = task.weights.cwiseProduct(at.values);
+  return {weighted.dot(at.values) / 2, at.slopes * weighted,
+          at.slopes * task.weights.asDiagonal() * at.slopes.transpose() + (at.bends * weighted).reshaped(4, 4)};
+}
+
 /// Gradient and Hessian by central differences: 1e-33 of the sum over the step, and over its square.
 template <class D>
-ErrorSum by_differences(std::span<const Pose> poses, const TurnedTask& task, const AxesAt& x) {
-  const Quad length = std::min(1.0, std::hypot(x.sine, task.e)), h = 1e-6;
+ErrorSum by_differences(std::span<const Pose> poses, const TurnedTask& task, const AxesAt& x, Quad h = 1e-6) {
+  const Quad length = length_of_alpha(task, x);
   const auto f = [&](int i, int s, int j, int t) {
     Vector<Quad, 4> u = Vector<Quad, 4>::Zero();
     u[i] += h * s, u[j] += h * t;
@@ -148,8 +163,8 @@ AngleFit<D> listed_fit(const TurnedTask& task, const typename D::Design& d) {
 /// The part of the sum that a Newton step in quad precision's derivatives still takes away, and the least eigenvalue
 /// of the Hessian relative to the largest.
 template <class D>
-void expect_minimum(std::span<const Pose> poses, const TurnedTask& task, const AngleFit<D>& fit) {
-  const ErrorSum at = by_differences<D>(poses, task, fit.axes);
+void expect_minimum(std::span<const Pose> poses, const TurnedTask& task, const AngleFit<D>& fit, Quad h = 1e-6) {
+  const ErrorSum at = by_differences<D>(poses, task, fit.axes, h);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> modes(at.hessian);
   EXPECT_GT(modes.eigenvalues()[0], 0);
   EXPECT_LT(at.gradient.dot(at.hessian.ldlt().solve(at.gradient)), 1e-12 * at.value);
@@ -182,6 +197,64 @@ TEST(CloseFits, AllMinimaThatManyRandomStartsFindAreListed) {
     }
   EXPECT_GT(minima, 60);
   EXPECT_LE(missed, minima / 100);
+}
+
+// ---- Valleys ----
+
+/// Quaternions of turns about one axis, each off it by about `off`.
+std::vector<Pose> nearly_coaxial(Random& random, double off) {
+  const Axis axis = Space::random_feature(random);
+  const auto at = Space::point<double>(Space::random_pose(random));
+  std::vector<Pose> out;
+  for (int i = 0; i < 6; ++i) {
+    const double angle = random.uniform(-1, 1);
+    Space::Point<double> turn(std::cos(angle), 0, 0, 0), beside(1, 0, 0, 0);
+    turn.tail<3>() = std::sin(angle) * axis;
+    for (int k = 1; k < 4; ++k) beside[k] = off * random.normal();
+    out.push_back(Space::pose(Space::product<double>(at, Space::product<double>(turn, beside))));
+  }
+  return out;
+}
+
+std::vector<Pose> two_clusters(Random& random, double width) {
+  std::vector<Pose> out = close_poses(random, 3, width);
+  for (const Pose& p : close_poses(random, 3, width)) out.push_back(p);
+  return out;
+}
+
+/// The sum changes along a valley by the square of `flat`, relative to across it.
+void expect_isolated_minima(std::span<const Pose> poses, double flat) {
+  const TurnedTask task = equal_weights(poses);
+  std::vector<AngleFit<RR>> listed;
+  for (const auto& f : best_dyads(poses)) {
+    EXPECT_TRUE(std::isfinite(*f.condition));
+    listed.push_back(listed_fit<RR>(task, f.design));
+    expect_minimum<RR>(poses, task, listed.back(), 1e-3 * flat);
+  }
+  EXPECT_FALSE(listed.empty());
+  for (std::size_t i = 0; i < listed.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k) EXPECT_FALSE(same_fit(task, listed[i], listed[k], 1e-7)) << i << ", " << k;
+}
+
+TEST(CloseFits, ValleysListTheirMinimaOnceAndNothingElse) {
+  Random random("CloseFits.ValleysListTheirMinimaOnceAndNothingElse");
+  for (const double flat : {1e-4, 1e-6})
+    for (int i = 0; i < 4; ++i) {
+      SCOPED_TRACE(testing::Message() << "flat " << flat << ", " << i);
+      expect_isolated_minima(nearly_coaxial(random, flat), flat);
+      expect_isolated_minima(two_clusters(random, flat), flat);
+    }
+}
+
+TEST(CloseFits, NearlyCoaxialOrientationsHaveDyadsNearTheAxis) {
+  Random random("CloseFits.NearlyCoaxialOrientationsHaveDyadsNearTheAxis");
+  for (const double off : {1e-3, 1e-6, 1e-9}) {
+    SCOPED_TRACE(testing::Message() << "off " << off);
+    const auto dyads = best_dyads(nearly_coaxial(random, off));
+    ASSERT_FALSE(dyads.empty());
+    EXPECT_LT(dyads[0].residual, 4 * off);
+    EXPECT_LT(dyads[0].design.arc, 100 * off);  // as in the plane, where circle and centre point are nowhere near all
+  }
 }
 
 TEST(CloseFits, TheSliderOfSixAboutTheIdentity) {
