@@ -222,14 +222,13 @@ std::vector<Pose> two_clusters(Random& random, double width) {
   return out;
 }
 
-/// The sum changes along a valley by the square of `flat`, relative to across it.
-void expect_isolated_minima(std::span<const Pose> poses, double flat) {
+void expect_isolated_minima(std::span<const Pose> poses) {
   const TurnedTask task = equal_weights(poses);
   std::vector<AngleFit<RR>> listed;
   for (const auto& f : best_dyads(poses)) {
     EXPECT_TRUE(std::isfinite(*f.condition));
     listed.push_back(listed_fit<RR>(task, f.design));
-    expect_minimum<RR>(poses, task, listed.back(), 1e-3 * flat);
+    expect_minimum<RR>(poses, task, listed.back(), 1e-12);  // third derivatives are those across
   }
   EXPECT_FALSE(listed.empty());
   for (std::size_t i = 0; i < listed.size(); ++i)
@@ -238,11 +237,11 @@ void expect_isolated_minima(std::span<const Pose> poses, double flat) {
 
 TEST(CloseFits, ValleysListTheirMinimaOnceAndNothingElse) {
   Random random("CloseFits.ValleysListTheirMinimaOnceAndNothingElse");
-  for (const double flat : {1e-4, 1e-6})
+  for (const double flat : {1e-4, 1e-6})  // the sum changes along a valley by its square, relative to across
     for (int i = 0; i < 4; ++i) {
       SCOPED_TRACE(testing::Message() << "flat " << flat << ", " << i);
-      expect_isolated_minima(nearly_coaxial(random, flat), flat);
-      expect_isolated_minima(two_clusters(random, flat), flat);
+      expect_isolated_minima(nearly_coaxial(random, flat));
+      expect_isolated_minima(two_clusters(random, flat));
     }
 }
 
@@ -251,9 +250,9 @@ TEST(CloseFits, NearlyCoaxialOrientationsHaveDyadsNearTheAxis) {
   for (const double off : {1e-3, 1e-6, 1e-9}) {
     SCOPED_TRACE(testing::Message() << "off " << off);
     const auto dyads = best_dyads(nearly_coaxial(random, off));
-    ASSERT_FALSE(dyads.empty());
-    EXPECT_LT(dyads[0].residual, 4 * off);
-    EXPECT_LT(dyads[0].design.arc, 100 * off);  // as in the plane, where circle and centre point are nowhere near all
+    EXPECT_TRUE(std::any_of(dyads.begin(), dyads.end(), [&](const auto& f) {  // as in the plane, in that scale
+      return f.residual < 4 * off && f.design.arc < 100 * off;
+    }));
   }
 }
 
