@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <optional>
 
 #include "burmester/modules/framework/curve_report.hpp"
 #include "burmester/modules/framework/local.hpp"
