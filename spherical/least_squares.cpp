@@ -297,8 +297,8 @@ SphericalReport LeastSquaresSolver::solve(std::span<const Pose> poses) const {
     report = {};
     report.status = Status::degenerate;
     report.message =
-        "infinitely many dyads meet these orientations to rounding: fewer than five of them are different, all their "
-        "turns are about one axis, or they follow a linkage that moves";
+        "infinitely many dyads meet these orientations to rounding: fewer than five of them are different, their turns "
+        "are about one axis, or small and about axes of one plane, or they follow a linkage that moves";
     return report;
   }
   if (!report.dyads.empty()) {
