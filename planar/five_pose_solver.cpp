@@ -6,7 +6,9 @@
 #include <array>
 #include <cassert>
 
+#include "burmester/geometry/diameter.hpp"
 #include "burmester/modules/framework/condition.hpp"
+#include "burmester/modules/framework/counted.hpp"
 #include "burmester/planar/classify.hpp"
 #include "burmester/planar/degeneracy.hpp"
 #include "burmester/planar/double_slider.hpp"
@@ -110,8 +112,8 @@ void state_degeneracy(const CertifiedRoots& certified, PlanarReport& report) {
   if (report.counts.certified)
     report.message += ", proved";
   else if (certified.count >= 0)
-    report.message += fmt::format("; true within rounding, the doubles given have {} real dyad{}", certified.count,
-                                  certified.count == 1 ? "" : "s");
+    report.message +=
+        fmt::format("; true within rounding, the doubles given have {}", counted(certified.count, "real dyad"));
   else
     report.message += ", within rounding";
 }
@@ -122,7 +124,7 @@ void state_proof(const CertifiedRoots& certified, PlanarReport& report) {
     return state_degeneracy(certified, report);
   if (certified.count >= 0 && certified.count != certified.roots.count)
     report.warnings.push_back(
-        fmt::format("{} real dyads are proved to exist, but {} were found", certified.count, certified.roots.count));
+        fmt::format("{} proved, but {} found at first", counted(certified.count, "real dyad"), certified.roots.count));
   report.counts.certified = certified.complete && all_certified(report);
   if (!report.counts.certified) return;
   if (report.dyads.empty())
@@ -200,9 +202,9 @@ PlanarReport FivePoseOracle::solve(std::span<const Pose> poses) const {
 }
 
 double task_size(std::span<const Pose> poses) {
-  double size = 0;
-  for (const Pose& a : poses)
-    for (const Pose& b : poses) size = std::max(size, std::hypot(b.x - a.x, b.y - a.y));
+  std::vector<Vector2> origins;
+  for (const Pose& pose : poses) origins.emplace_back(pose.x, pose.y);
+  const double size = diameter(std::move(origins));
   return size > 0 ? size : 1;
 }
 

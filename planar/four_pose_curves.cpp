@@ -69,13 +69,22 @@ std::string degeneracy_of(FourPoses poses) {
   return DyadForm(poses).degeneracy();
 }
 
-std::string shown(const Vector2& p) { return fmt::format("({:.6g}, {:.6g})", p[0], p[1]); }
+/// Where the pole is; what rounding the data may have made of a zero is shown as 0.
+std::string shown(const CommonPole& pole) {
+  const auto coordinate = [&](double x) { return std::abs(x) <= pole.rounding ? 0 : x; };
+  return fmt::format("({:.6g}, {:.6g})", coordinate(pole.at[0]), coordinate(pole.at[1]));
+}
 
-std::string described(const CommonPole& pole) {
+std::string described(const CommonPole& pole, FourPoses poses) {
   const auto& [i, j, k] = pole.poses;
+  if (pole.spread > together * task_size(poses))
+    return fmt::format(
+        "; the poles of poses {}, {} and {} are close together for curves of this extent, within {:.1e} of {}: one "
+        "pivot of each dyad is near them",
+        i + 1, j + 1, k + 1, pole.spread, shown(pole));
   return fmt::format("; poses {}, {} and {} turn about one point, {}, to within {}: one pivot of each dyad is there",
-                     i + 1, j + 1, k + 1, shown(pole.at),
-                     pole.rounded ? "rounding" : fmt::format("{:.1e}", pole.spread));
+                     i + 1, j + 1, k + 1, shown(pole),
+                     pole.spread <= pole.rounding ? "rounding" : fmt::format("{:.1e}", pole.spread));
 }
 
 constexpr CurveWords words{"line", "conic"};
@@ -106,7 +115,7 @@ FourPoseCurves four_pose_curves(FourPoses poses, const CurveOptions& options) {
     FourPoseCurves none;
     none.topology.reason =
         fmt::format("every point lies on it to within rounding; all four poses are rotations about one point, {}",
-                    shown(task.pole()->at));
+                    shown(*task.pole()));
     return none;
   }
   PairedCurves curves =
@@ -134,7 +143,7 @@ PlanarReport FourPoseSolver::solve(std::span<const Pose> poses) const {
   if (curves_are_far(four))
     report.message += fmt::format("; the poles are far: listed within {:.3g} of {}, {:.3g} task sizes", window,
                                   task.pole() ? "the common pole" : "pose 1's origin", window / size);
-  if (task.pole()) report.message += described(*task.pole());
+  if (task.pole()) report.message += described(*task.pole(), four);
   add_sliders(task, report);
   sort_dyads(report);
   return report;

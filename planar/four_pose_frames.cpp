@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "burmester/geometry/enclosure.hpp"
 #include "burmester/planar/poles.hpp"
@@ -10,7 +11,6 @@
 namespace burmester::planar {
 namespace {
 
-constexpr double together = 0x1p-9;  // of the curve scale: beyond this doubles about pose 1's origin keep 1e-13
 constexpr double nearby = 64;        // curve scales: a common pole farther out is far from all that is listed
 
 /// P_ij from pose 1's origin, and what rounding the data once does to it: as (t + cot(a/2) J t) / 2 from the one
@@ -60,8 +60,8 @@ std::optional<CommonPole> common_pole(FourPoses poses) {
     const RoundedPole &p = pole[i][j], &q = pole[i][k], &r = pole[j][k];
     const double spread = std::max({distance(p, q), distance(p, r), distance(q, r)});
     if (!(spread < best.spread)) continue;
-    best = {{i, j, k}, p.at + Vector2(poses[0].x, poses[0].y), spread, false, false};
-    best.rounded = spread <= p.rounding + q.rounding + r.rounding;
+    const double rounding = p.rounding + q.rounding + r.rounding;
+    best = {{i, j, k}, p.at + Vector2(poses[0].x, poses[0].y), spread, rounding, false};
   }
   if (!(best.spread <= together * curve_scale(poses))) return std::nullopt;
   const RoundedPole& one = pole[best.poses[0]][best.poses[1]];

@@ -7,23 +7,25 @@
 
 #include <array>
 #include <optional>
-#include <string>
 
 #include "burmester/planar/equidistance.hpp"
 #include "burmester/planar/four_pose_curves.hpp"
 
 namespace burmester::planar {
 
+/// Times the size of curves: poles this close are one. Farther apart, doubles about pose 1's origin keep 1e-13.
+inline constexpr double together = 0x1p-9;
+
 /// Three poses that turn about one point, nearly: their three poles are one to within `spread`.
 struct CommonPole {
   std::array<std::size_t, 3> poses{};  ///< ascending, from 0
   Vector2 at{0, 0};                    ///< in S, one of the poles
   double spread = 0;                   ///< largest distance of two of the poles, length units
-  bool rounded = false;                ///< not more than what rounding the data may do
+  double rounding = 0;                 ///< what rounding the data may make of that distance
   bool all = false;                    ///< the same holds for all six poles of the four poses
 };
 
-/// The three poses whose poles are closest, where these are within 2^-9 curve scales.
+/// The three poses whose poles are closest, where these are together for the curve scale.
 std::optional<CommonPole> common_pole(FourPoses poses);
 
 /// Points p in E and c in S as (x, y, z), in directions of S with E in the reference pose, from the origin, in units of

@@ -146,9 +146,6 @@ std::vector<P> seen_from_centre(const Form& h) {
 using Rows = std::array<std::vector<P>, 4>;
 
 P determinant(const Rows& h, std::size_t i, std::size_t j) { return h[i][0] * h[j][1] - h[i][1] * h[j][0]; }
-std::array<P, 3> cross(const std::vector<P>& a, const std::vector<P>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 /// What vanishes where the line t holds a common point.
 std::vector<P> conditions_on_lines(const Rows& h) {
@@ -156,15 +153,10 @@ std::vector<P> conditions_on_lines(const Rows& h) {
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = 0; j < i; ++j) {
       if (h[0].size() == 2) out.push_back(determinant(h, i, j));
-      for (std::size_t k = 0; k < j && h[0].size() == 3; ++k) {
-        const auto c = cross(h[i], h[j]);
-        out.push_back(h[k][0] * c[0] + h[k][1] * c[1] + h[k][2] * c[2]);
-      }
+      for (std::size_t k = 0; k < j && h[0].size() == 3; ++k) out.push_back(dot(h[k], cross(h[i], h[j])));
     }
   return out;
 }
-
-bool vanishes(const P& p, RealRoot& t) { return sign_at(p, t) == 0; }
 
 /// The rows (h0, h1) vanish on (1, z).
 AxesOnLine on_line_of_linear_forms(const Rows& h) {

@@ -30,6 +30,10 @@ struct NearDegeneracy {
   Degeneracy kind = Degeneracy::none;  ///< of orientations within same_tolerance, from rank_deficient on
   double distance = 0;                 ///< the least change of the unit quaternions, all together, that gives one such
 };
+/// Closer than this to being equal, or to one of the kinds above, rounding of the data changes what is left of the
+/// distance by 2^-18 or more.
+inline constexpr double indistinct_tolerance = 0x1p-33;
+
 /// Four orientations about one axis, or an axis in two places.
 NearDegeneracy axis_in_two_places(FivePoses poses);
 

@@ -20,13 +20,19 @@ namespace burmester::spherical {
 /// Precondition: two to five poses.
 int reference_of(std::span<const Pose> poses);
 
-/// conj(a) b, from the difference of the two: what nearly equal poses have in common does not cancel.
+/// s, a power of two with a sign, so that s y is about as long as x and on its side: the difference of x and s y is
+/// small where they are close as points of the space.
+inline double factor_towards(const Space::Point<double>& x, const Space::Point<double>& y) {
+  const double size = power_of_two_below(std::sqrt(2 * x.squaredNorm() / y.squaredNorm()));
+  return x.dot(y) < 0 ? -size : size;
+}
+
+/// conj(a) b up to a factor, from the difference of the two: what nearly equal poses have in common does not cancel.
 template <class T>
 Quaternion<T> relative_rotation(const Pose& a, const Pose& b) {
-  const double sign = a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z < 0 ? -1 : 1;
-  const Quaternion<T> from = Space::point<T>(a);
-  const T s(sign), dw = s * T(b.w) - from[0];
-  const Vector<T, 3> v(from[1], from[2], from[3]), d(T(s * T(b.x) - v[0]), T(s * T(b.y) - v[1]), T(s * T(b.z) - v[2]));
+  const Quaternion<T> from = Space::point<T>(a), to = Space::point<T>(b);
+  const T s(factor_towards(Space::point<double>(a), Space::point<double>(b))), dw = s * to[0] - from[0];
+  const Vector<T, 3> v(from[1], from[2], from[3]), d(T(s * to[1] - v[0]), T(s * to[2] - v[1]), T(s * to[3] - v[2]));
   const T along = v[0] * d[0] + v[1] * d[1] + v[2] * d[2];
   return {T(Space::norm<T>(from) + from[0] * dw + along), T(from[0] * d[0] - dw * v[0] - (v[1] * d[2] - v[2] * d[1])),
           T(from[0] * d[1] - dw * v[1] - (v[2] * d[0] - v[0] * d[2])),

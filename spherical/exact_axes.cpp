@@ -1,7 +1,7 @@
 #include "burmester/spherical/exact_axes.hpp"
 
+#include <algorithm>
 #include <functional>
-#include <type_traits>
 
 namespace burmester::spherical {
 namespace {
@@ -11,16 +11,6 @@ using P = Polynomial<Rational>;
 
 /// C as polynomials in t = u1 / u0.
 using MinorPolynomials = std::array<std::array<P, 4>, 4>;
-
-/// Of three intervals, or three polynomials.
-template <class V>
-V cross(const V& a, const V& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-template <class V>
-auto dot(const V& a, const V& b) -> std::decay_t<decltype(a[0])> {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 /// The largest coordinate of the middle: doubles may be too short for it.
 Rational size_of(const Box& a) {
@@ -64,10 +54,10 @@ std::optional<std::array<RationalInterval, 2>> kernel(const MinorPolynomials& fo
     const auto column = [&](std::size_t k) -> Box {
       return {c[(left_out + 1) % 4][k], c[(left_out + 2) % 4][k], c[(left_out + 3) % 4][k]};
     };
-    const Box last = cross(column(2), column(3));
-    const RationalInterval one = dot(column(1), last);
+    const Box last = column(2).cross(column(3));
+    const RationalInterval one = column(1).dot(last);
     if (contains_zero(one)) continue;
-    if (!best || std::abs(approximate(one)) > std::abs(approximate((*best)[0]))) best = {one, -dot(column(0), last)};
+    if (!best || std::abs(approximate(one)) > std::abs(approximate((*best)[0]))) best = {one, -column(0).dot(last)};
   }
   return best;
 }
@@ -77,11 +67,11 @@ Box kernel(const Bilinear<Rational>& n, const Box& a) {
   std::array<Box, 4> row;
   for (std::size_t j = 0; j < 4; ++j)
     for (int k = 0; k < 3; ++k)
-      row[j][k] = dot(a, {RationalInterval(n[j](0, k)), RationalInterval(n[j](1, k)), RationalInterval(n[j](2, k))});
-  Box best = cross(row[0], row[1]);
+      row[j][k] = a.dot(Box(RationalInterval(n[j](0, k)), RationalInterval(n[j](1, k)), RationalInterval(n[j](2, k))));
+  Box best = row[0].cross(row[1]);
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = i + 1; j < 4; ++j)
-      if (const Box b = cross(row[i], row[j]); size_of(b) > size_of(best)) best = b;
+      if (const Box b = row[i].cross(row[j]); size_of(b) > size_of(best)) best = b;
   return best;
 }
 
@@ -99,8 +89,6 @@ std::optional<EnclosedAxes> narrowed(RealRoot& t, const Bilinear<Rational>& n, c
   }
   return std::nullopt;
 }
-
-bool vanishes(const P& p, RealRoot& t) { return sign_at(p, t) == 0; }
 
 /// What lies over t where C has rank two, its rows spanned by some r and s r (docs/certificates.md): r has no s^3.
 AxesOnLine axes_behind(const MinorPolynomials& c, RealRoot& t) {

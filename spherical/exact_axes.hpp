@@ -14,6 +14,17 @@
 
 namespace burmester::spherical {
 
+/// Of three polynomials each, in arrays or vectors.
+template <class V>
+std::array<Polynomial<Rational>, 3> cross(const V& a, const V& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+template <class U, class V>
+Polynomial<Rational> dot(const U& a, const V& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+inline bool vanishes(const Polynomial<Rational>& p, RealRoot& t) { return sign_at(p, t) == 0; }
+
 /// A real dyad: directions of its axes, of any length, each coordinate within 2^-60 of the largest.
 struct EnclosedAxes {
   Vector<RationalInterval, 3> moving, fixed;  ///< in E, and in S seen from the reference pose

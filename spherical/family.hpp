@@ -22,7 +22,8 @@ struct Family {
 
   template <class T>
   static Vector<T, dimension> row(const Pose& pose) {
-    const T w(pose.w), x(pose.x), y(pose.y), z(pose.z);
+    const Space::Point<T> q = Space::point<T>(pose);
+    const T &w = q[0], &x = q[1], &y = q[2], &z = q[3];
     const T ww = w * w, xx = x * x, yy = y * y, zz = z * z;
     const T wx = T(2) * w * x, wy = T(2) * w * y, wz = T(2) * w * z;
     const T xy = T(2) * x * y, yz = T(2) * y * z, zx = T(2) * z * x;

@@ -37,9 +37,8 @@ double dot(const ImagePoint& a, const ImagePoint& b) {
 /// q conj(p). Its vector part is that of (q - p) conj(p), as p conj(p) is a number: with equal norms the difference of
 /// close poses is exact and nearly orthogonal to p, so that nothing cancels. Different norms take exact products.
 Turn turn(const ImagePoint& p, ImagePoint q) {
-  const double norm = p.squaredNorm();
-  double c = p.dot(q);
-  if (c < 0) q = -q, c = -c;
+  q *= factor_towards(p, q);
+  const double norm = p.squaredNorm(), c = p.dot(q);
   const ImagePoint difference = q - p;
   Vector3 s;
   if (std::abs(difference.dot(q + p)) > 0x1p-30 * norm) {

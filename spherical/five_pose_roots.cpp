@@ -9,8 +9,6 @@
 namespace burmester::spherical {
 namespace {
 
-/// Closer than this, rounding of the data changes what is left of them by 2^-18 or more.
-constexpr double indistinct_tolerance = 0x1p-33;
 /// Roots of the sextic about 2^-19 apart, real or not, may be a sign of infinitely many dyads: the other path tells.
 constexpr int close_depth = 20;
 /// Those 2^-26 apart: rounding, whose effect on a double root is its square root, decides whether they are real.

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "burmester/modules/framework/condition.hpp"
+#include "burmester/modules/framework/counted.hpp"
 #include "burmester/modules/framework/equal_poses.hpp"
 #include "burmester/spherical/exact_orientations.hpp"
 #include "burmester/spherical/family.hpp"
@@ -23,8 +24,10 @@ constexpr const char* merging_warning =
     "two dyads coincide within rounding of the poses: the number of real dyads may be off by two";
 constexpr const char* nearly_merging_warning =
     "two dyads nearly merge: a change of the poses by their rounding may make two dyads merge or appear";
-constexpr const char* undecided =
+constexpr const char* undecided_indistinct =
     "not decided: two orientations, or axes of the rotations between them, agree almost to within rounding of the data";
+constexpr const char* undecided =
+    "not decided: to within rounding the six dyads over the complex numbers cannot be told from infinitely many";
 constexpr const char* indistinct_warning =
     "two orientations, or axes of the rotations between them, agree almost to within rounding: the answer holds for "
     "the doubles given";
@@ -66,7 +69,7 @@ SphericalReport regular(std::vector<Found<Dyads::Design>> dyads) {
   report.dyads = std::move(dyads);
   report.status = count > 0 ? Status::exact : Status::none;
   report.counts = {0, 6, count, false};
-  report.message = count > 0 ? fmt::format("{} real dyad{} of 6 over the complex numbers", count, count == 1 ? "" : "s")
+  report.message = count > 0 ? counted(count, "real dyad") + " of 6 over the complex numbers"
                              : "no real dyad exists: all 6 are complex";
   sort_dyads(report);
   return report;
@@ -126,8 +129,8 @@ SphericalReport judged_degenerate(Degeneracy what, const CertifiedAxes& proved, 
                      (proved.isolated ? "; one dyad beside them" : "") + ", proved";
     if (proved.isolated) report.dyads.push_back(certified_dyad(proved, 0, {}, poses));
   } else if (proved.count >= 0)
-    report.message += fmt::format("; true within rounding, the doubles given have {} real dyad{}", proved.count,
-                                  proved.count == 1 ? "" : "s");
+    report.message +=
+        fmt::format("; true within rounding, the doubles given have {}", counted(proved.count, "real dyad"));
   else
     report.message += ", within rounding";
   return report;
@@ -172,17 +175,20 @@ SphericalReport FivePoseSolver::solve(std::span<const Pose> poses) const {
   // the sextic may have six roots where there are infinitely many dyads (one moving axis for a plane of fixed ones)
   const bool hidden =
       roots.what == Degeneracy::none && roots.path == FivePosePath::sextic && (merging || !proved.complete);
-  const Degeneracy what = hidden ? axis_in_two_places(five).kind : roots.what;
+  const NearDegeneracy near = hidden ? axis_in_two_places(five) : NearDegeneracy{roots.what, 1};
+  const Degeneracy what = near.kind;
+  const bool indistinct = roots.indistinct || near.distance < indistinct_tolerance;
   if (what != Degeneracy::none || proved.degeneracy != Degeneracy::none)
     return certify
                ? judged_degenerate(what, proved, five)
                : degenerate(fmt::format("{}{}", name_degeneracy(what, poses, same_orientation),
                                         what >= Degeneracy::moving_on_circle ? " (any others are not listed)" : ""));
-  if (!proved.complete && (roots.indistinct || !roots.decided)) return degenerate(undecided);
-  if (roots.indistinct) report.warnings.push_back(indistinct_warning);
+  if (!proved.complete && (indistinct || !roots.decided))
+    return degenerate(indistinct ? undecided_indistinct : undecided);
+  if (indistinct) report.warnings.push_back(indistinct_warning);
   if (proved.complete && proved.count != roots.count)
     report.warnings.push_back(
-        fmt::format("{} real dyads are proved to exist, but {} were found at first", proved.count, roots.count));
+        fmt::format("{} proved, but {} found at first", counted(proved.count, "real dyad"), roots.count));
   if (merging) report.warnings.push_back(proved.complete ? nearly_merging_warning : merging_warning);
   return report;
 }

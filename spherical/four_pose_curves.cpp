@@ -6,6 +6,7 @@
 #include <cassert>
 
 #include "burmester/geometry/paired_curves.hpp"
+#include "burmester/modules/framework/counted.hpp"
 #include "burmester/modules/framework/equal_poses.hpp"
 #include "burmester/spherical/exact_orientations.hpp"
 #include "burmester/spherical/four_pose_frames.hpp"
@@ -26,8 +27,6 @@ std::string degeneracy_of(FourPoses poses) {
   return one_axis_exactly(poses) ? "all rotations have one axis" : "";
 }
 
-std::string counted(std::size_t sliders) { return fmt::format("{} slider{}", sliders, sliders == 1 ? "" : "s"); }
-
 void list(const std::vector<FoundSlider>& found, SphericalReport& report) {
   for (const auto& [slider, multiplicity] : found) {
     report.dyads.push_back(slider);
@@ -41,15 +40,16 @@ void add_infinitely_many_sliders(const SliderFamily& family, SphericalReport& re
   report.message +=
       fmt::format("; infinitely many sliders, proved: their moving axes fill {}, their fixed axes {}",
                   cone[static_cast<std::size_t>(family.moving)], cone[static_cast<std::size_t>(family.fixed)]);
-  report.message += !family.isolated           ? "; whether others exist is not decided"
-                    : family.isolated->empty() ? "; no others exist"
-                                               : fmt::format("; {} beside them", counted(family.isolated->size()));
+  report.message += !family.isolated ? "; whether others exist is not decided"
+                    : family.isolated->empty()
+                        ? "; no others exist"
+                        : fmt::format("; {} beside them", counted(family.isolated->size(), "slider"));
   if (family.isolated) list(*family.isolated, report);
 }
 
 void add_sliders(FourPoses poses, SphericalReport& report) {
   if (const auto found = sliders(poses)) {
-    report.message += found->empty() ? "; none of them a slider" : "; " + counted(found->size());
+    report.message += found->empty() ? "; none of them a slider" : "; " + counted(found->size(), "slider");
     list(*found, report);
   } else if (const auto family = slider_family(poses)) {
     add_infinitely_many_sliders(*family, report);

@@ -27,7 +27,10 @@ struct Pivots {
   static constexpr const char* locus = "great circle";
   static constexpr const char* bisector = "the great circle between its two places";
 
-  static DataOf<double> data(const Pose& p) { return {p.w, p.x, p.y, p.z}; }
+  static DataOf<double> data(const Pose& p) {
+    const Space::Point<double> q = Space::point<double>(p);
+    return {q[0], q[1], q[2], q[3]};
+  }
   template <class T>
   static Correlation<T> correlation(const DataOf<T>& from, const DataOf<T>& to) {
     return angle_kept<T>(rotation_between<T>(point(from), point(to)));

@@ -82,11 +82,12 @@ Pose pose_from_matrix(const std::array<std::array<double, 3>, 3>& m) {
 }
 
 AxisAngle axis_angle_of(const Pose& pose) {
-  const double sine = std::hypot(pose.x, pose.y, pose.z);
+  const Vector<double, 4> q = Space::point<double>(pose);
+  const double sine = std::hypot(q[1], q[2], q[3]);
   if (sine == 0) return {z_axis, 0};
-  const double sign = pose.w < 0 ? -1 : 1;
+  const double sign = q[0] < 0 ? -1 : 1;
   const auto along = [&](double c) { return sign * c / sine + 0.0; };
-  return {{along(pose.x), along(pose.y), along(pose.z)}, 2 * std::atan2(sine, std::abs(pose.w))};
+  return {{along(q[1]), along(q[2]), along(q[3])}, 2 * std::atan2(sine, std::abs(q[0]))};
 }
 
 }  // namespace burmester::spherical

@@ -6,8 +6,9 @@
 
 namespace burmester::spherical {
 
-/// The exact data of a pose: the four doubles of a quaternion. Its norm need not be 1; solvers, certificates
-/// and oracles all read these doubles as exact numbers. (w, x, y, z) and (-w, -x, -y, -z) are the same pose.
+/// The exact data of a pose: the four doubles of a quaternion. Its norm may be any; solvers, certificates and
+/// oracles all read these doubles as exact numbers, up to a factor (Space::point, spherical/space.hpp).
+/// (w, x, y, z) and (-w, -x, -y, -z) are the same pose.
 struct Pose {
   double w = 1, x = 0, y = 0, z = 0;  ///< not all zero
 };

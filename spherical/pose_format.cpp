@@ -12,25 +12,19 @@ constexpr const char* zero_quaternion = "a quaternion that is not zero";
 
 PoseData data_of(const Pose& p) { return {p.w, p.x, p.y, p.z}; }
 
-/// Empty for the zero quaternion.
-PoseData usable_quaternion(std::vector<double> q) {
-  double largest = 0;
-  for (const double c : q) largest = std::max(largest, std::abs(c));
-  if (largest == 0) return {};
-  if (largest < 0x1p-100 || largest > 0x1p100)
-    for (double& c : q) c = std::ldexp(c, -std::ilogb(largest));
-  return q;
+bool is_zero(const std::vector<double>& v) {
+  return std::all_of(v.begin(), v.end(), [](double c) { return c == 0; });
 }
 
 PoseData read_quaternion(const InputNode& node) {
-  const PoseData data = usable_quaternion(node.numbers(4));
-  if (data.empty()) node.fail(zero_quaternion);
+  PoseData data = node.numbers(4);
+  if (is_zero(data)) node.fail(zero_quaternion);
   return data;
 }
 
 PoseData read_axis(const InputNode& node, const InputNode& angle, bool degrees) {
   const std::vector<double> a = node.numbers(3);
-  if (a[0] == 0 && a[1] == 0 && a[2] == 0) node.fail("an axis that is not zero");
+  if (is_zero(a)) node.fail("an axis that is not zero");
   const std::array<double, 3> axis{a[0], a[1], a[2]};
   return data_of(degrees ? pose_from_axis_degrees(axis, angle.number())
                          : pose_from_axis_radians(axis, angle.number()));
@@ -83,9 +77,8 @@ PoseData read_pose(const InputNode& node, const Units& units) {
 }
 
 PoseData read_csv_pose(const std::vector<double>& row) {
-  PoseData data = usable_quaternion(row);
-  if (data.empty()) throw InputError(std::string("expected ") + zero_quaternion);
-  return data;
+  if (is_zero(row)) throw InputError(std::string("expected ") + zero_quaternion);
+  return row;
 }
 
 Pose pose_of(const PoseData& data) { return {data[0], data[1], data[2], data[3]}; }

@@ -4,9 +4,11 @@
 // by vectors; their distance is the angle between them.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 
+#include "burmester/geometry/number.hpp"
 #include "burmester/modules/framework/displacement.hpp"
 #include "burmester/modules/framework/pose_space.hpp"
 #include "burmester/spherical/pose.hpp"
@@ -18,9 +20,14 @@ struct Space : Displacement<std::array{0, 1, 2, 3}, std::array{1, 2, 3}> {
   static constexpr int dof = 3;
   using Pose = spherical::Pose;
 
+  /// The quaternion times the power of two that takes its largest coordinate to [1, 2): no answer depends on its norm.
+  /// Exact (coordinates below 2^-1022 of the largest may vanish).
   template <class T>
   static Point<T> point(const Pose& p) {
-    return {T(p.w), T(p.x), T(p.y), T(p.z)};
+    const double largest = std::max({std::abs(p.w), std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    const double near = largest < 0x1p-1000 ? 0x1p100 : largest > 0x1p1000 ? 0x1p-100 : 1;  // its inverse is normal
+    const double scale = unit_scale(near * largest);
+    return {T(scale * (near * p.w)), T(scale * (near * p.x)), T(scale * (near * p.y)), T(scale * (near * p.z))};
   }
   static Pose pose(const Point<double>& x) { return {x[0], x[1], x[2], x[3]}; }
 

@@ -184,7 +184,9 @@ const sphereTools = (() => {
   }
   /// Longitude and latitude of an axis, longitude, latitude and roll of a quaternion; degrees.
   const place = a => [Math.atan2(a[1], a[0]) / degree, Math.atan2(a[2], Math.hypot(a[0], a[1])) / degree];
-  function globeAngles([w, x, y, z]) {
+  function globeAngles(q) {
+    const largest = Math.max(...q.map(Math.abs)),
+      [w, x, y, z] = q.map(c => c / largest);
     const row = [2 * (z * x - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z];
     return [
       ...place([w * w + x * x - y * y - z * z, 2 * (x * y + w * z), row[0]]),

@@ -5,6 +5,8 @@
 #include <array>
 #include <vector>
 
+#include "burmester/modules/framework/counted.hpp"
+
 namespace burmester {
 
 std::string name_equal_poses(const std::function<bool(int, int)>& same, int count) {
@@ -23,8 +25,8 @@ std::string name_equal_poses(const std::function<bool(int, int)>& same, int coun
                                            "in general met by a three-dimensional family of dyads",
                                            "in general met by a two-dimensional family of dyads",
                                            "in general met by a curve of dyads (circle points and centre points)"};
-  return fmt::format("poses {} are equal: in effect {} pose{}, {}", fmt::join(groups, ", "), different,
-                     different == 1 ? "" : "s", family[different]);
+  return fmt::format("poses {} are equal: in effect {}, {}", fmt::join(groups, ", "), counted(different, "pose"),
+                     family[different]);
 }
 
 }  // namespace burmester

@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,6 +29,7 @@
 #include "burmester/geometry/range.hpp"
 #include "burmester/geometry/rational_interval.hpp"
 #include "burmester/modules/framework/condition.hpp"
+#include "burmester/modules/framework/counted.hpp"
 #include "burmester/modules/framework/expect_pivots.hpp"
 #include "burmester/modules/framework/local.hpp"
 #include "burmester/modules/framework/problem.hpp"
@@ -135,10 +137,10 @@ bool may_vanish(const M& m) {
 template <class Place>
 bool three_differ(const std::vector<Place>& places, double tolerance) {
   std::vector<Place> seen;
-  for (const Place& p : places)
-    if (std::none_of(seen.begin(), seen.end(), [&](const Place& q) { return (p - q).norm() <= tolerance; }))
-      seen.push_back(p);
-  return seen.size() >= 3;
+  for (auto p = places.begin(); p != places.end() && seen.size() < 3; ++p)
+    if (std::none_of(seen.begin(), seen.end(), [&](const Place& q) { return (*p - q).norm() <= tolerance; }))
+      seen.push_back(*p);
+  return seen.size() == 3;
 }
 
 }  // namespace detail
@@ -231,6 +233,15 @@ std::vector<PoleRecord> poles_of(std::span<const typename G::Pose> poses) {
   return out;
 }
 
+/// In words, with what rounding may have made of a zero as 0.
+template <class G>
+std::string described(PoleRecord pole, std::span<const typename G::Pose> poses, const Units& units) {
+  const std::vector<double> at = pole.fixed;
+  for (double& x : pole.fixed)
+    if (std::abs(x) <= G::rounding(at, poses)) x = 0;
+  return G::described(pole, units);
+}
+
 /// All dyads that meet two or three poses: poles, members of the family, and what kind of family it is.
 template <class G>
 Report<typename G::Dyads> family_of_dyads(std::span<const typename G::Pose> poses, const Units& units) {
@@ -245,7 +256,7 @@ Report<typename G::Dyads> family_of_dyads(std::span<const typename G::Pose> pose
   } else if (poses.size() == 2) {
     report.message =
         fmt::format("{0}a three-dimensional family of dyads: any moving {1}, with any fixed {1} on {2} (samples)",
-                    G::described(report.family.poles[0], units), G::pivot, G::bisector);
+                    described<G>(report.family.poles[0], poses, units), G::pivot, G::bisector);
   } else {
     report.message = fmt::format(
         "a two-dimensional family of dyads: one fixed {0} for each moving {0} and one moving {0} for each "
@@ -366,7 +377,7 @@ class GivenPivots {
                                        G::locus);
     } else if (n == 3) {
       report_.status = undetermined_.empty() ? Status::exact : Status::degenerate;
-      report_.message = fmt::format("{} dyad{} for the {}, by linear equations", count, count == 1 ? "" : "s", given);
+      report_.message = fmt::format("{} for the {}, by linear equations", counted(count, "dyad"), given);
       if (undetermined_.empty()) report_.counts.complex = static_cast<int>(count);
       if (undetermined_.empty()) report_.counts.real = static_cast<int>(count);
       report_.counts.certified =

@@ -1,11 +1,11 @@
 // Five poses in clusters of close ones: their doubles are proved, and not called degenerate.
 #include <gmock/gmock.h>
 
-#include <array>
 #include <cmath>
 
 #include "burmester/planar/five_pose_solver.hpp"
 #include "burmester/planar/tasks.hpp"
+#include "clusters.hpp"
 #include "exact_five_pose.hpp"
 
 namespace burmester::planar {
@@ -19,18 +19,15 @@ Pose beside(const Pose& p, double size, Random& random) {
           p.X4 + size * random.normal()};
 }
 
-/// 3 + 2, 2 + 2 + 1, 4 + 1, 3 + 1 + 1; each pose 1e-8 to 1e-12 from the first of its cluster.
+/// Each pose 1e-8 to 1e-12 from the first of its cluster.
 TEST(PoseClusters, AreProvedAsTheDoublesSay) {
   const std::string stream = "PoseClusters.AreProvedAsTheDoublesSay";
   SCOPED_TRACE(stream);
   Random random(stream), coordinates(stream + ".coordinates");
-  constexpr std::array<std::array<std::size_t, 5>, 4> clusters{
-      {{0, 0, 0, 3, 3}, {0, 0, 2, 2, 4}, {0, 0, 0, 0, 4}, {0, 0, 0, 3, 4}}};
   for (int i = 0; i < 60; ++i) {
-    FivePoseTask task = find_task_class("generic")->make(random);
-    for (std::size_t j = 0; j < 5; ++j)
-      if (const std::size_t first = clusters[static_cast<std::size_t>(i) % 4][j]; first != j)
-        task[j] = beside(task[first], std::pow(10, random.uniform(-12, -8)), random);
+    const FivePoseTask task = support::in_clusters(find_task_class("generic")->make(random), i, [&](const Pose& p) {
+      return beside(p, std::pow(10, random.uniform(-12, -8)), random);
+    });
     const PlanarReport report = FivePoseSolver().solve(task);
     EXPECT_NE(report.status, Status::degenerate) << i << ": " << report.message;
     EXPECT_TRUE(report.counts.certified) << i << ": " << report.message;

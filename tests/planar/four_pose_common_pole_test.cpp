@@ -163,6 +163,20 @@ TEST(CommonPole, IsNamedInTheReport) {
   const FourPoseTask nearly = four_poses({{{1, 0.5, 30}, {0, 0, 0}, {1e-6, 0, 60}, {0, 0, 120}}});
   EXPECT_THAT(FourPoseSolver().solve(nearly).message, HasSubstr("poses 2, 3 and 4 turn about one point, ("));
   EXPECT_THAT(FourPoseSolver().solve(nearly).message, HasSubstr("to within 1.7e-06"));
+  const auto about = [](const Vector2& pole, double angle) {
+    const double s = std::sin(angle), c = std::cos(angle);
+    return pose_from_radians(pole[0] - c * pole[0] + s * pole[1], pole[1] - s * pole[0] - c * pole[1], angle);
+  };
+  const Vector2 on_axis(0.3, 0);  // the pole comes out with a second coordinate of 1e-17
+  const FourPoseTask rounded{about(on_axis, 0.2), about(on_axis, 1), about(on_axis, 2), pose_from_radians(1, 0.5, 0.6)};
+  EXPECT_THAT(FourPoseSolver().solve(rounded).message, HasSubstr("turn about one point, (0.3, 0), to within rounding"));
+  // three small turns about a far point, within a third of the task's size
+  FourPoseTask far{about({0, 300}, 0), about({0, 300}, 1e-3), about({0, 300}, 2.2e-3),
+                   pose_from_radians(0.3, 1, 1.5e-3)};
+  far[2].x += 3e-4;
+  EXPECT_THAT(FourPoseSolver().solve(far).message,
+              HasSubstr("; the poles of poses 1, 2 and 3 are close together for curves of this extent, within 2.5e-01 "
+                        "of (0, 300): one pivot of each dyad is near them"));
   FourPoseTask all;
   for (std::size_t j = 0; j < 4; ++j) {
     const double angle = 0.1 + 0.7 * static_cast<double>(j);

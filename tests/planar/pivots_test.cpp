@@ -395,5 +395,18 @@ TEST(GivenPivots, Mech576ThreePositionProblem) {
   EXPECT_NEAR(b.length, printed[1][2], 5e-5);
 }
 
+TEST(FamilyOfDyads, ShowsZerosThatRoundingHides) {
+  const auto about = [](double angle) {
+    return pose_from_radians(0.3 - 0.3 * std::cos(angle), -0.3 * std::sin(angle), angle);
+  };
+  int hidden = 0;
+  for (int k = 1; k <= 20; ++k) {
+    const PlanarReport report = FamilySolver().solve(Poses{about(0.2), about(0.2 + 0.13 * k)});
+    hidden += report.family.poles[0].fixed[1] != 0;
+    EXPECT_NE(report.message.find("about the pole (0.3, 0)"), std::string::npos) << report.message;
+  }
+  EXPECT_GT(hidden, 0);
+}
+
 }  // namespace
 }  // namespace burmester::planar

@@ -40,9 +40,12 @@ TEST(SphericalPoseFormat, AQuaternionIsTakenAsGiven) {
   EXPECT_THAT(read_csv_pose({2, 0, 0, 1}), ElementsAre(2, 0, 0, 1));
 }
 
-TEST(SphericalPoseFormat, SizesWhoseSquaresAreNoNumbersAreScaledExactly) {
-  EXPECT_THAT(read_csv_pose({0x1p-600, 0, 0, -0x1p-601}), ElementsAre(1, 0, 0, -0.5));
-  EXPECT_THAT(read_csv_pose({0, 0x1p1023, 0, 0x1p1000}), ElementsAre(0, 1, 0, 0x1p-23));
+TEST(SphericalPoseFormat, QuaternionsOfEverySizeAreScaledExactly) {
+  const auto image = [](double w, double x, double y, double z) { return Space::point<double>({w, x, y, z}); };
+  EXPECT_EQ(image(0x1p-600, 0, 0, -0x1p-601), Space::Point<double>(1, 0, 0, -0.5));
+  EXPECT_EQ(image(0, 0x1p1023, 0, 0x1p1000), Space::Point<double>(0, 1, 0, 0x1p-23));
+  EXPECT_EQ(image(0, -0x1p-1073, 0, 0x1p-1074), Space::Point<double>(0, -1, 0, 0.5));
+  EXPECT_EQ(image(1, 0.25, -0.5, 0.75), Space::Point<double>(1, 0.25, -0.5, 0.75));
 }
 
 TEST(SphericalPoseFormat, ZeroesAreNoPoses) {

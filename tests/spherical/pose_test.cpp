@@ -111,7 +111,7 @@ TEST(SphericalSpace, RandomPosesAreUniform) {
   Eigen::Matrix4d moments = Eigen::Matrix4d::Zero();
   constexpr int n = 20000;
   for (int i = 0; i < n; ++i) {
-    const auto p = Space::point<double>(Space::random_pose(random));
+    const Space::Point<double> p = Space::point<double>(Space::random_pose(random)).normalized();
     moments += p * p.transpose() / n;
   }
   EXPECT_LT((moments - Eigen::Matrix4d::Identity() / 4).cwiseAbs().maxCoeff(), 0.01);
