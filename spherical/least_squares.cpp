@@ -11,6 +11,7 @@
 #include <numbers>
 #include <optional>
 
+#include "burmester/modules/framework/counted.hpp"
 #include "burmester/modules/framework/curve_report.hpp"
 #include "burmester/modules/framework/local.hpp"
 #include "burmester/spherical/angle_fit.hpp"
@@ -303,9 +304,8 @@ SphericalReport LeastSquaresSolver::solve(std::span<const Pose> poses) const {
   }
   if (!report.dyads.empty()) {
     report.status = Status::exact;
-    report.message =
-        fmt::format("{} real dyad{} met by all {} orientations to rounding; found by least squares, there may be more",
-                    report.dyads.size(), report.dyads.size() == 1 ? "" : "s", poses.size());
+    report.message = fmt::format("{} met by all {} orientations to rounding; found by least squares, there may be more",
+                                 counted(report.dyads.size(), "real dyad"), poses.size());
     return report;
   }
   report.status = Status::approximate;
@@ -313,8 +313,8 @@ SphericalReport LeastSquaresSolver::solve(std::span<const Pose> poses) const {
   const auto slider = best_slider(poses, weights);
   if (slider) report.dyads.push_back(listed(*slider, poses));
   const auto exact = std::count(weights.begin(), weights.end(), met_exactly_weight);
-  report.message = fmt::format("no dyad meets all {} orientations: {} local best fit{}{}{}", poses.size(), dyads.size(),
-                               dyads.size() == 1 ? "" : "s", slider ? " and the best slider" : ", no slider",
+  report.message = fmt::format("no dyad meets all {} orientations: {}{}{}", poses.size(),
+                               counted(dyads.size(), "local best fit"), slider ? " and the best slider" : ", no slider",
                                exact > 0 ? fmt::format(", of those that meet the {} exact", exact) : "");
   return report;
 }
