@@ -28,7 +28,7 @@ struct Style {
 class Sheet {
  public:
   Sheet(const SphereDrawing& drawing, std::string_view title)
-      : drawing_(drawing), svg_({-0.95, -1.5 - pitch * (rows() - 1), 0.95 + pitch, 0.92}, title) {}
+      : drawing_(drawing), svg_({-0.95, -1.56 - pitch * (rows() - 1), 0.95 + pitch, 0.92}, title) {}
 
   std::string draw() {
     for (std::size_t v = 0; v < drawing_.views.size(); ++v) {
@@ -48,6 +48,8 @@ class Sheet {
 
   void panel() {
     labels_ = {};
+    const Point2 caption = at({0, -1.18});
+    for (const double shift : {-50, -25, 0, 25, 50}) labels_.avoid({caption[0] + shift, caption[1] - 4}, 4);
     globe();
     for (const bool near : {false, true}) {
       for (const std::string_view role : {"moving_curve", "fixed_curve", "guide", "ground", "path"}) lines(role, near);
@@ -59,7 +61,7 @@ class Sheet {
       pins("fixed_axis", near);
     }
     names();
-    svg_.text(at({0, -1.13}), view_->name,
+    svg_.text(caption, view_->name,
               fmt::format("text-anchor=\"middle\" fill=\"{}\" font-style=\"italic\"", soft_ink));
   }
 
@@ -205,7 +207,7 @@ class Sheet {
   }
 
   void legend() {
-    const double top = svg_.place({0, -pitch * (rows() - 1) - 1.27})[1];
+    const double top = svg_.place({0, -pitch * (rows() - 1) - 1.34})[1];
     Point2 p{30, top};
     const auto entry = [&](double width, std::string_view words) {
       svg_.text({p[0] + 36, p[1] + 4}, words, fmt::format("font-size=\"12\" fill=\"{}\"", ink));
