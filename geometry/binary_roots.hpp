@@ -58,12 +58,14 @@ class BernsteinChart {
   }();
 
   void isolate(const Coefficients& b, double low, double width, int depth) {
-    int changes = 0;
+    int changes = 0, change = 0;  // the last one
     out_.depth = std::max(out_.depth, depth);
-    for (int i = 0; i < N; ++i) changes += (b[i] < 0) != (b[i + 1] < 0);
+    for (int i = 0; i < N; ++i)
+      if ((b[i] < 0) != (b[i + 1] < 0)) ++changes, change = i;
     if (changes == 0) return;
     if (changes == 1 || depth == out_.deepest) {
-      if ((b[0] < 0) != (b[N] < 0)) return add(narrowed(low, low + width, b[0], b[N]));
+      const double start = low + width * (change + b[change] / (b[change] - b[change + 1])) / N;  // of the polygon
+      if ((b[0] < 0) != (b[N] < 0)) return add(narrowed(low, low + width, b[0] < 0, start));
       add(low), add(low);
       return;
     }
@@ -81,13 +83,20 @@ class BernsteinChart {
     out_.at[static_cast<std::size_t>(out_.count++)] = reciprocal_ ? Vector<double, 2>{1, x} : Vector<double, 2>{x, 1};
   }
 
-  double narrowed(double low, double high, double at_low, double at_high) const {
+  double narrowed(double low, double high, bool rising, double x) const {
     const double smallest_step = 0x1p-30 * (high - low);  // the next one would be its square
-    double x = low + (high - low) * at_low / (at_low - at_high);
     for (int i = 0; i < 80; ++i) {
-      double value = c_[N], slope = 0;
-      for (int k = N; k-- > 0;) slope = slope * x + value, value = value * x + c_[k];
-      ((value < 0) == (at_low < 0) ? low : high) = x;
+      // even and odd powers apart: two short chains
+      const double y = x * x;
+      double even = c_[N], odd = c_[N - 1], even_slope = even, odd_slope = 0;
+      for (int k = N - 2;; k -= 2) {
+        even = even * y + c_[k];
+        if (k == 0) break;
+        even_slope = even_slope * y + even;
+        odd_slope = odd_slope * y + odd, odd = odd * y + c_[k - 1];
+      }
+      const double value = even + x * odd, slope = odd + 2 * (x * even_slope + y * odd_slope);
+      ((value < 0) == rising ? low : high) = x;
       double next = x - value / slope;
       if (!(next > low && next < high)) next = (low + high) / 2;
       if (std::abs(next - x) <= smallest_step || next == low || next == high) return next;

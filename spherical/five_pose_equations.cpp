@@ -64,13 +64,11 @@ Matrix3 frame_along(const Vector3& z) {
 /// Axes that spread by more than this (radians) need no scaling.
 constexpr double wide_spread = 0.125;
 
-/// d k for a change of x, times one: k is a quadratic form in (m, h).
-Lifted lifted_change(const ScaledDyad& x, const ScaledDyad& dx, double ee) {
-  const Vector3 w = -2 * (dx.m.cross(x.h) + x.m.cross(dx.h)), &m = x.m, &n = dx.m, h = ee * x.h, &g = dx.h;
+/// k with W = w and S = u v^T + v u^T.
+Lifted lifted_of(const Vector3& w, const Vector3& u, const Vector3& v) {
   Lifted k;
-  k << w, 2 * (m[0] * n[0] - h[0] * g[0]), 2 * (m[1] * n[1] - h[1] * g[1]), 2 * (m[2] * n[2] - h[2] * g[2]),
-      m[0] * n[1] + m[1] * n[0] - h[0] * g[1] - h[1] * g[0], m[0] * n[2] + m[2] * n[0] - h[0] * g[2] - h[2] * g[0],
-      m[1] * n[2] + m[2] * n[1] - h[1] * g[2] - h[2] * g[1];
+  k << w, 2 * u[0] * v[0], 2 * u[1] * v[1], 2 * u[2] * v[2], u[0] * v[1] + u[1] * v[0], u[0] * v[2] + u[2] * v[0],
+      u[1] * v[2] + u[2] * v[1];
   return k;
 }
 
@@ -101,7 +99,7 @@ FivePoseEquations five_pose_equations(FivePoses poses) {
   for (int j = 0, r = 0; j < 5; ++j) {
     if (j == out.reference) continue;
     turns[r] = turn(image(poses[static_cast<std::size_t>(out.reference)]), image(poses[static_cast<std::size_t>(j)]));
-    const double size = turns[r].s.norm(), norm = std::hypot(size, turns[r].c);
+    const double size = turns[r].s.norm(), norm = std::sqrt(size * size + turns[r].c * turns[r].c);
     out.sine[r] = size / norm;
     out.closest = std::min(out.closest, out.sine[r]);
     if (size > largest) largest = size, z = turns[r].s / size;
@@ -125,7 +123,9 @@ FivePoseEquations five_pose_equations(FivePoses poses) {
   return out;
 }
 
-Lifted lifted(const ScaledDyad& x, double e) { return lifted_change(x, {x.m / 2, x.h / 2}, e * e); }
+Lifted lifted(const ScaledDyad& x, double e) {
+  return lifted_of(-2 * x.m.cross(x.h), x.m, x.m / 2) - lifted_of(Vector3::Zero(), x.h, e * e / 2 * x.h);
+}
 
 Lifted scaled_relations(const Lifted& k, double e) {
   const double q = e * e / 4, a = k[3], b = k[4], c = k[5], f = k[6], g = k[7], h = k[8];
@@ -157,14 +157,15 @@ double improve(const FivePoseEquations& equations, ScaledDyad& x) {
   const double e = equations.e;
   const Vector<double, 4> value = equations.rows * lifted(x, e);
   // a and b have free lengths, which change m along m and h along h and m: both steps stay orthogonal to m.
-  const Vector3 unit = x.m.normalized(), p = unit.unitOrthogonal(), q = unit.cross(p), none = Vector3::Zero();
-  const std::array<ScaledDyad, 4> direction{{{p, none}, {q, none}, {none, p}, {none, q}}};
-  Eigen::Matrix4d J;
-  for (int i = 0; i < 4; ++i)
-    J.col(i) = equations.rows * lifted_change(x, direction[static_cast<std::size_t>(i)], e * e);
-  const Eigen::Vector4d step = J.partialPivLu().solve(-Eigen::Vector4d(value));
-  const ScaledDyad next{x.m + step[0] * p + step[1] * q, x.h + step[2] * p + step[3] * q};
-  const double size = step.norm() / std::sqrt(x.m.squaredNorm() + x.h.squaredNorm());
+  const Vector3 p = x.m.unitOrthogonal(), q = x.m.cross(p), f = -e * e * x.h;
+  Matrix<double, 9, 4> change;
+  change << lifted_of(-2 * p.cross(x.h), x.m, p), lifted_of(-2 * q.cross(x.h), x.m, q),
+      lifted_of(-2 * x.m.cross(p), f, p), lifted_of(-2 * x.m.cross(q), f, q);
+  const Eigen::Matrix4d J = equations.rows * change;
+  const Eigen::Vector4d step = -(J.inverse() * value);
+  const Vector3 dm = step[0] * p + step[1] * q, dh = step[2] * p + step[3] * q;
+  const ScaledDyad next{x.m + dm, x.h + dh};
+  const double size = std::sqrt((dm.squaredNorm() + dh.squaredNorm()) / (x.m.squaredNorm() + x.h.squaredNorm()));
   const bool helps =
       size < 0x1p-20 || (size < 0.5 && (equations.rows * lifted(next, e)).squaredNorm() < value.squaredNorm());
   if (!helps) return 0;

@@ -32,8 +32,8 @@ Vector3 value(const Forms<n>& f, double u0, double u1) {
 template <int n>
 double largest(const Forms<n>& f) {
   double out = 0;
-  for (const Vector3& v : f) out = std::max(out, v.norm());
-  return out;
+  for (const Vector3& v : f) out = std::max(out, v.squaredNorm());
+  return std::sqrt(out);
 }
 
 /// x b = P b with P = u0 P[0] + u1 P[1], and c . b = 0, where a = (x, u0, u1) from coordinate `x` on, cyclically.

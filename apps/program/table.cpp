@@ -1,9 +1,11 @@
 #include "program/table.hpp"
 
 #include <algorithm>
-#include <numbers>
 #include <cmath>
 #include <functional>
+#include <numbers>
+#include <sstream>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -91,9 +93,10 @@ std::string reach(const DyadRecord& dyad, const Units& units, const Style& style
   const auto angle = [&](double value) {
     return fmt::format("{} {}", number(value, style.digits), units.degrees ? "deg" : "rad");
   };
+  const std::string nearly = dyad.slider ? fmt::format(", nearly {}", dyad.slider->type) : "";
   if (dyad.line) return line_text(*dyad.line, units, style);
-  if (dyad.length) return number(*dyad.length, style.digits);
-  if (dyad.arc) return angle(shown_angle(*dyad.arc, units));
+  if (dyad.length) return number(*dyad.length, style.digits) + nearly;
+  if (dyad.arc) return angle(shown_angle(*dyad.arc, units)) + nearly;
   return dyad.angle ? angle(shown_angle(*dyad.angle, units)) : "";
 }
 
@@ -221,11 +224,23 @@ std::string curves_text(const std::vector<CurveRecord>& curves) {
       curves[0].moving[0].size() == 3 ? "axes" : "pivots", curves.size(), points, error);
 }
 
-std::string task_text(const Problem& problem) {
+std::string task_text(const Problem& problem, bool arcs) {
   std::string out = fmt::format("{}, {} poses; ", problem.geometry, problem.poses.size());
   if (!problem.units.length.empty())
     out += fmt::format("lengths in {}, ", printable(problem.units.length, 20));
-  return out + (problem.units.degrees ? "angles in deg" : "angles in rad");
+  if (!problem.units.degrees) return out + "angles in rad";
+  return out + (arcs ? "angles in deg, residuals in rad" : "angles in deg");
+}
+
+/// In lines of the table's width, broken between words.
+std::string paragraph(const std::string& text) {
+  std::istringstream words(printable(text, 10 * width));
+  std::string out, line;
+  for (std::string word; words >> word;) {
+    if (!line.empty() && line.size() + 1 + word.size() > width) out += std::exchange(line, "") + "\n";
+    line += (line.empty() ? "" : " ") + word;
+  }
+  return line.empty() ? out : out + line + "\n";
 }
 
 }  // namespace
@@ -233,7 +248,9 @@ std::string task_text(const Problem& problem) {
 std::string answer_text(const Problem& problem, const Synthesis& answer, double task_size) {
   std::string out;
   if (!problem.name.empty()) out += printable(problem.name, width - 2) + "\n";
-  out += fmt::format("{}\n{}\n", task_text(problem), answer.message);
+  out += paragraph(problem.source);
+  const bool arcs = has_arcs(answer.dyads) || has_arcs(answer.family.samples);
+  out += fmt::format("{}\n{}\n", task_text(problem, arcs), answer.message);
   if (!answer.dyads.empty()) out += "\nDyads\n" + dyad_table(problem, answer.dyads, task_size);
   out += family_text(problem, answer.family, task_size);
   if (!answer.curves.empty()) out += curves_text(answer.curves);

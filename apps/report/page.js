@@ -251,16 +251,19 @@
   });
 
   // ---- set-up ---------------------------------------------------------------------------------------------------
-  const reachBox = () =>
-    boxOf(
-      [
-        ...poses.map(p => p.origin),
-        ...dyads.filter(planar).flatMap(dyadPoints),
-        ...curves.flatMap(c => [...(c.fixed || []), ...(c.moving || []).map(q => inBody(poses[0], q))]),
-      ],
-      0.06,
-    );
-  const side = b => Math.max(b[2] - b[0], b[3] - b[1]);
+  const reach = () => [
+    ...poses.map(p => p.origin),
+    ...dyads.filter(planar).flatMap(dyadPoints),
+    ...curves.flatMap(c => [...(c.fixed || []), ...(c.moving || []).map(q => inBody(poses[0], q))]),
+  ];
+  const reachBox = () => boxOf(reach(), 0.06);
+  function nearBox() {
+    // what of it is within a size of the task from its middle
+    const b = poseBox(),
+      room = Math.max(b[2] - b[0], b[3] - b[1]);
+    const near = k => p => Math.abs(p[k] - (b[k] + b[k + 2]) / 2) < room;
+    return boxOf(reach().filter(near(0)).filter(near(1)), 0.06);
+  }
   const view1 = spherical
     ? new sphereTools.Globe($("svg-poses"), drawPoses)
     : new View($("svg-poses"), drawPoses, { fit: poseBox, fit2: reachBox }, 46);
@@ -340,7 +343,7 @@
       });
     new ResizeObserver(drawTicks).observe($("ticks"));
     view1.resize();
-    if (!spherical && curves.length && side(reachBox()) < 12 * side(poseBox())) view1.act("fit2");
+    if (!spherical && curves.length) view1.fit(nearBox());
     view2.resize();
     const open = linkages.filter(l => drawn.has(l.id)),
       best =

@@ -117,6 +117,19 @@ const sphereTools = (() => {
     );
   }
 
+  /// Where the label of p covers least of the points `taken`; it is one of them from then on.
+  function spot(p, taken) {
+    const places = Array.from({ length: 12 }, (_, k) => {
+      const angle = (k * Math.PI) / 6 + Math.PI / 4;
+      return add(p, [18 * Math.cos(angle), -18 * Math.sin(angle)]);
+    });
+    const covered = at => taken.reduce((sum, q) => sum + Math.max(0, 1 - Math.hypot(...add(q, at, -1)) / 14), 0),
+      costs = places.map(covered),
+      best = places[costs.indexOf(Math.min(...costs))];
+    taken.push(best);
+    return best;
+  }
+
   /// The elements of one drawing. `show(stroke)`: whether it is drawn; `hot`: id of a dyad to point out.
   function globe(view, sphere, show, hot, small) {
     const strokes = sphere.strokes.filter(show),
@@ -124,6 +137,11 @@ const sphereTools = (() => {
       bodies = strokes.some(t => t.role === "body");
     const ink = t => `--c:var(--p${!first || t.dyad === first.dyad ? 0 : 2})`,
       rank = t => (t.pose > 1 ? "s-other" : "s-first") + (hot === t.dyad ? " hot" : "");
+    const taken = small
+      ? []
+      : strokes
+          .filter(t => t.pose <= 1 || t.role === "task")
+          .flatMap(t => t.points.filter(q => view.near(q)).map(q => view.seen(q)));
     const c = view.px([0, 0]),
       out = [s("circle", { class: "globe-disc", cx: fix(c[0]), cy: fix(c[1]), r: fix(view.scale) })];
     const line = (points, closed, cls, style, near) =>
@@ -157,7 +175,7 @@ const sphereTools = (() => {
                 "g",
                 { style: ink(t), class: near ? null : "far" },
                 s("circle", { class: `s-${role} ${rank(t)}`, cx: fix(p[0]), cy: fix(p[1]), r }),
-                near && !small && t.label && t.pose <= 1 ? label(add(p, [13, -13]), t.label, "part-label") : null,
+                near && !small && t.label && t.pose <= 1 ? label(spot(p, taken), t.label, "part-label") : null,
               );
             }),
         );

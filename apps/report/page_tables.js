@@ -1,8 +1,10 @@
 // The tables of the page, one for each list of the result.
 const tables = (() => {
   "use strict";
-  const { $, h, isNumber, format, number, point, copy, col, table } = tools;
+  const { $, h, isNumber, format, number, rounded, copy, col, table } = tools;
   const { result, poses, dyads, linkages, candidates, lengths, units, spherical, poseName, angleUnit } = report;
+  const zero = 1e-9 * (result.task_size || 0),
+    point = p => tools.point(p, zero);
   const TYPES = spherical
     ? { RR: "fixed axis and moving axis", PR: "fixed axis and moving axis at right angles: a slider" }
     : {
@@ -17,14 +19,9 @@ const tables = (() => {
     h("span", { class: "wide" }, "line through ", point(l.point), " at ", number(l.angle, 6, angleUnit()));
   function reach(d) {
     if (d.line) return line(d.line);
-    if (isNumber(d.arc)) return number(d.arc, 6, angleUnit());
-    return isNumber(d.length)
-      ? h(
-          "span",
-          {},
-          number(d.length),
-          d.slider ? h("span", { class: "sub" }, `nearly the slider ${d.slider.type}`) : "",
-        )
+    const size = isNumber(d.arc) ? number(d.arc, 6, angleUnit()) : isNumber(d.length) ? number(d.length) : null;
+    return size
+      ? h("span", {}, size, d.slider ? h("span", { class: "sub" }, `nearly the slider ${d.slider.type}`) : "")
       : isNumber(d.angle)
         ? h("span", {}, "coupler kept at ", number(d.angle, 6, angleUnit()))
         : null;
@@ -38,7 +35,7 @@ const tables = (() => {
     );
   const pivot = p =>
     spherical && Array.isArray(p)
-      ? h("span", {}, point(p), h("span", { class: "sub" }, "longitude, latitude ", angles(sphereTools.place(p))))
+      ? h("span", {}, point(p), h("span", { class: "sub" }, "longitude, latitude ", angles(sphereTools.place(rounded(p, zero)))))
       : point(p);
   const small = (v, digits) => (isNumber(v) ? number(v, digits) : null);
   const shower = (name, figure, show) =>
@@ -50,7 +47,7 @@ const tables = (() => {
     col(FIXED, d => pivot(d.fixed)),
     col(MOVING, d => pivot(d.moving)),
     col(spherical ? "Arc" : "Length or line", reach),
-    col("Residual", d => small(d.residual, 2), true),
+    col(spherical ? "Residual (rad)" : "Residual", d => small(d.residual, 2), true),
     col("Condition", d => small(d.condition, 3), true),
   ];
   function fillFamily() {

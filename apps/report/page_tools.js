@@ -28,9 +28,10 @@ const tools = (() => {
   }
   const number = (v, digits, after = "") =>
     h("span", { class: "num", title: isNumber(v) ? String(v) : null }, format(v, digits) + (isNumber(v) ? after : ""));
-  const point = p =>
+  const rounded = (p, zero) => p.map(v => (Math.abs(v) < zero ? 0 : v)); // coordinates that count as 0
+  const point = (p, zero = 0) =>
     Array.isArray(p)
-      ? h("span", { class: "num", title: `(${p.join(", ")})` }, `(${p.map(v => format(v)).join(", ")})`)
+      ? h("span", { class: "num", title: `(${p.join(", ")})` }, `(${rounded(p, zero).map(v => format(v)).join(", ")})`)
       : null;
 
   function say(text) {
@@ -245,6 +246,7 @@ const tools = (() => {
     plural,
     format,
     number,
+    rounded,
     point,
     copy,
     col,

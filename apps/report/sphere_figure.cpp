@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string_view>
 
 #include <fmt/format.h>
 
 #include "report/figure.hpp"
 #include "report/globe.hpp"
+#include "report/label_places.hpp"
 #include "report/svg.hpp"
 
 namespace burmester {
@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view task_colour = "#e69f00", task_ink = "#8a5f00", body_colour = "#c1121f",
                            dyad_colours[] = {"#0072b2", "#009e73"};
-constexpr double pitch = 2.36;  // between the centres of neighbouring views; the sphere's radius is 1
+constexpr double pitch = 2.48;  // between the centres of neighbouring views; the sphere's radius is 1
 
 struct Style {
   std::string_view colour;
@@ -25,44 +25,10 @@ struct Style {
   std::string_view dashes = "";
 };
 
-/// Labels are put where they cover least.
-class Labels {
- public:
-  void avoid(const Point2& p, double weight) { taken_.push_back({p, weight}); }
-  /// Where to put the middle of a label that belongs to p.
-  Point2 place(const Point2& p, double half_width) {
-    Point2 best{};
-    double least = 1e300;
-    for (const double distance : {15.0, 22.0})
-      for (int k = 0; k < 12; ++k) {
-        const double angle = k * std::numbers::pi / 6 + 0.5;
-        const Point2 at{p[0] + (distance + half_width - 4) * std::cos(angle), p[1] - distance * std::sin(angle)};
-        if (const double cost = covered(at, half_width) + 0.02 * distance; cost < least) least = cost, best = at;
-      }
-    for (const double shift : {-half_width, 0.0, half_width}) avoid({best[0] + shift, best[1]}, 4);
-    return best;
-  }
-
- private:
-  struct Taken {
-    Point2 p;
-    double weight;
-  };
-  double covered(const Point2& at, double half_width) const {
-    double sum = 0;
-    for (const Taken& t : taken_) {
-      const double x = std::max(0.0, std::abs(t.p[0] - at[0]) - half_width), y = std::abs(t.p[1] - at[1]);
-      sum += t.weight * std::max(0.0, 1 - std::hypot(x, y) / 14);
-    }
-    return sum;
-  }
-  std::vector<Taken> taken_;
-};
-
 class Sheet {
  public:
   Sheet(const SphereDrawing& drawing, std::string_view title)
-      : drawing_(drawing), svg_({-0.95, -1.5 - pitch * (rows() - 1), 0.95 + pitch, 0.92}, title) {}
+      : drawing_(drawing), svg_({-0.95, -1.56 - pitch * (rows() - 1), 0.95 + pitch, 0.92}, title) {}
 
   std::string draw() {
     for (std::size_t v = 0; v < drawing_.views.size(); ++v) {
@@ -82,6 +48,8 @@ class Sheet {
 
   void panel() {
     labels_ = {};
+    const Point2 caption = at({0, -1.18});
+    for (const double shift : {-50, -25, 0, 25, 50}) labels_.avoid({caption[0] + shift, caption[1] - 4}, 4);
     globe();
     for (const bool near : {false, true}) {
       for (const std::string_view role : {"moving_curve", "fixed_curve", "guide", "ground", "path"}) lines(role, near);
@@ -93,7 +61,7 @@ class Sheet {
       pins("fixed_axis", near);
     }
     names();
-    svg_.text(at({0, -1.13}), view_->name,
+    svg_.text(caption, view_->name,
               fmt::format("text-anchor=\"middle\" fill=\"{}\" font-style=\"italic\"", soft_ink));
   }
 
@@ -239,7 +207,7 @@ class Sheet {
   }
 
   void legend() {
-    const double top = svg_.place({0, -pitch * (rows() - 1) - 1.27})[1];
+    const double top = svg_.place({0, -pitch * (rows() - 1) - 1.34})[1];
     Point2 p{30, top};
     const auto entry = [&](double width, std::string_view words) {
       svg_.text({p[0] + 36, p[1] + 4}, words, fmt::format("font-size=\"12\" fill=\"{}\"", ink));
@@ -272,7 +240,7 @@ class Sheet {
   Svg svg_;
   const SphereView* view_ = nullptr;
   Point2 centre_{};
-  Labels labels_;
+  LabelPlaces labels_;
 };
 
 }  // namespace

@@ -232,9 +232,9 @@ void Svg::guide(const Point2& a, const Point2& b, bool hatched, std::string_view
   polyline(line, false, fmt::format("stroke=\"{}\" stroke-width=\"1.5\"", colour));
 }
 
-std::string Svg::finish() const {
+std::string Svg::element(std::string_view place) const {
   return fmt::format(
-      R"({6}<svg xmlns="http://www.w3.org/2000/svg" width="{0}" height="{1}" viewBox="0 {2} {0} {1}"
+      R"(<svg {6}xmlns="http://www.w3.org/2000/svg" width="{0}" height="{1}" viewBox="0 {2} {0} {1}"
  font-family="Helvetica, Arial, sans-serif" font-size="13">
 <title>{3}</title>
 <style>.halo{{paint-order:stroke;stroke:#fff;stroke-width:3px;stroke-linejoin:round}}</style>
@@ -242,9 +242,10 @@ std::string Svg::finish() const {
 {5}<text x="14" y="-16" font-size="16" class="halo" fill="{4}">{3}</text>
 </svg>
 )",
-      number(width_), number(height_ + head), number(-head), escaped(printable(title_, 90)), ink, body_,
-      figure_mark);
+      number(width_), number(height_ + head), number(-head), escaped(printable(title_, 90)), ink, body_, place);
 }
+
+std::string Svg::finish() const { return fmt::format("{}{}", figure_mark, element()); }
 
 std::string side_by_side(const std::vector<Svg>& figures, std::string_view title) {
   constexpr std::size_t columns = 3;
@@ -253,9 +254,8 @@ std::string side_by_side(const std::vector<Svg>& figures, std::string_view title
     width = std::max(width, figure.width()), height = std::max(height, figure.height() + head);
   std::string body;
   for (std::size_t k = 0; k < figures.size(); ++k)
-    body += fmt::format("<svg x=\"{}\" y=\"{}\"{}", number(width * static_cast<double>(k % columns)),
-                        number(head + height * static_cast<double>(k / columns)),
-                        figures[k].finish().substr(figure_mark.size() + 4));
+    body += figures[k].element(fmt::format("x=\"{}\" y=\"{}\" ", number(width * static_cast<double>(k % columns)),
+                                           number(head + height * static_cast<double>(k / columns))));
   const double rows = static_cast<double>((figures.size() + columns - 1) / columns);
   return fmt::format(
       R"({0}<svg xmlns="http://www.w3.org/2000/svg" width="{1}" height="{2}" viewBox="0 0 {1} {2}"

@@ -59,6 +59,9 @@ class Svg {
   /// A straight guide through the window, hatched below where it belongs to the ground.
   void guide(const Point2& a, const Point2& b, bool hatched, std::string_view colour);
 
+  /// The <svg> element alone; `place`: attributes of its own, each followed by a space, where it is part of another.
+  std::string element(std::string_view place = "") const;
+  /// The file: the mark, and the element.
   std::string finish() const;
 
  private:

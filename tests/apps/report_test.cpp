@@ -157,6 +157,22 @@ TEST(Svg, NamesOfMarksDoNotOverlapHoweverCloseTheMarksAre) {
   }
 }
 
+TEST(Svg, SideBySideIsOneFileWithThePanelsInRows) {
+  const std::vector<Svg> panels(4, Svg({0, 0, 1, 1}, "panel"));
+  const std::string text = side_by_side(panels, "all");
+  const auto times = [&](const std::string& words) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find(words); at != text.npos; at = text.find(words, at + 1)) ++count;
+    return count;
+  };
+  EXPECT_TRUE(text.starts_with(figure_mark));
+  EXPECT_EQ(times("<!--"), 1u);
+  EXPECT_EQ(times("<svg "), 5u);
+  EXPECT_EQ(times("</svg>"), 5u);
+  EXPECT_EQ(times("<title>panel</title>"), 4u);
+  EXPECT_EQ(times("<svg x=\"0\" y="), 2u);  // the first and the fourth
+}
+
 TEST(PlateFigure, DrawsItsPartsByRole) {
   const Plate plate{"curves",
                     "Curves",

@@ -65,6 +65,31 @@ TEST(AnswerText, ShowsEveryTypeOfDyad) {
   EXPECT_LE(widest(text), 100u);
 }
 
+TEST(AnswerText, SaysWhereThePosesComeFrom) {
+  Problem p = planar_problem();
+  p.source = "A. Author, \"Title of some length\", example 2; in the printed table of solutions the columns are "
+             "exchanged";
+  const std::string text = answer_text(p, {}, 1);
+  EXPECT_THAT(text, HasSubstr("a task\nA. Author, "));
+  EXPECT_THAT(text, HasSubstr(" columns are\nexchanged\nplanar, 5 poses"));
+  EXPECT_LE(widest(text), 100u);
+}
+
+TEST(AnswerText, MarksSlidersThatAnglesHideAndTheUnitOfResiduals) {
+  Problem p = planar_problem();
+  p.geometry = "spherical";
+  p.units = {"", true};
+  Synthesis s;
+  s.dyads = {dyad(1, "RR"), dyad(2, "RR")};
+  s.dyads[0].arc = 1.5705;
+  s.dyads[0].slider = SliderRecord{"PR", {}, 3e-4};
+  s.dyads[1].arc = 1;
+  const std::string text = answer_text(p, s, 1);
+  EXPECT_THAT(text, HasSubstr("angles in deg, residuals in rad\n"));
+  EXPECT_THAT(text, HasSubstr("89.983 deg, nearly PR"));
+  EXPECT_THAT(text, HasSubstr("57.2958 deg  "));
+}
+
 TEST(AnswerText, FitsIntoHundredColumns) {
   Synthesis s;
   s.message = "m";

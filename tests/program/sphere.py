@@ -157,11 +157,17 @@ class Semigraphical(SphereTest):
                 self.assertEqual(answer.returncode, 0, answer.stderr)
                 document = strict_json(answer.stdout)
                 self.check_dyads(document, name, 1e-10)
+                to_degrees = 1 if document["units"]["angle"] == "deg" else 180 / math.pi
                 self.assertEqual(sorted(d["algebraic"] for d in document["dyads"]), [1, 2, 3, 4])
                 self.assertLess(max(d["apart"] for d in document["dyads"]), 1e-8)
                 self.assertEqual(document["missed"], [])
                 for plot in ("moving", "fixed"):
-                    self.assertTrue(all(d["crossings"][plot] > 0 for d in document["dyads"]))
+                    for d in document["dyads"]:
+                        self.assertGreater(d["crossings"][plot], 0)
+                        self.assertEqual(len(d["read_off"][plot]), d["crossings"][plot])
+                        for longitude, latitude in d["read_off"][plot]:  # within two cells of a degree
+                            raw = [row[0] for row in globe(longitude * to_degrees, latitude * to_degrees, 0)]
+                            self.assertLess(off(raw, d[plot]), math.radians(2))
                     spurious = [c for c in document["spurious"] if c["plot"] == plot]
                     self.assertGreater(len(spurious), 0)
                     self.assertGreater(min(c["rank_ratio"] for c in spurious), 1e-6)
@@ -172,7 +178,8 @@ class Semigraphical(SphereTest):
 
     def test_table(self):
         text = self.app(example("angeles_bai_1")).stdout.decode()
-        for words in ("4 axes of rank 2", "spurious (rank 3)", "(-42.1696, -17.0520)", "35.08752", "dyad 4"):
+        for words in ("4 axes of rank 2", "read off to", "spurious (rank 3)", "(-42.1696, -17.0520)", "35.08752",
+                      "dyad 4"):
             self.assertIn(words, text)
         self.assertLessEqual(max(map(len, text.split("\n"))), 110)
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "report/label_places.hpp"
 #include "report/svg.hpp"
 
 namespace burmester {
@@ -122,6 +123,8 @@ class Plot {
       const planar::Vector2 x = planar::rotated(p, {1, 0}), y = planar::rotated(p, {0, 1});
       svg_.frame(panel.place(scaled({p.x, p.y})), {x[0], -x[1]}, {y[0], -y[1]}, 20, "#a9b1ba", "");
     }
+    LabelPlaces labels;
+    for (const planar::Pose& p : poses) labels.avoid(panel.place(scaled({p.x, p.y})), 2);
     for (std::size_t k = 0; k < limit_.dyads.size(); ++k) {
       const FollowedDyad& d = limit_.dyads[k];
       panel.line(svg_, {scaled(d.planar.fixed), scaled(d.planar.moving)}, stroke(k, 1, "stroke-opacity=\"0.45\""));
@@ -129,13 +132,15 @@ class Plot {
         const Polyline places = path(d, pivot);
         panel.line(svg_, places, stroke(k, 2));
         mark_end(panel, k, places);
+        for (const Point2& p : places)
+          if (panel.holds(p)) labels.avoid(panel.place(p), 1);
         if (!panel.holds(places[0])) continue;
         svg_.circle(panel.place(places[0]), 4.5,
                     fmt::format("fill=\"{0}\" stroke=\"{1}\" stroke-width=\"1.8\"",
                                 pivot == &DyadPlace::fixed ? pose_colour(k) : "#fff", pose_colour(k)));
       }
-      name(panel, k);
     }
+    for (std::size_t k = 0; k < limit_.dyads.size(); ++k) name(panel, k, labels);
   }
 
   /// A square where the path is for the largest e.
@@ -147,11 +152,12 @@ class Plot {
     svg_.polyline({{p[0] - 3, p[1] - 3}, {p[0] + 3, p[1] - 3}, {p[0] + 3, p[1] + 3}, {p[0] - 3, p[1] + 3}}, true,
                   fmt::format("fill=\"{}\"", colour));
   }
-  void name(const Panel& panel, std::size_t dyad) {
-    const Point2 fixed = scaled(limit_.dyads[dyad].planar.fixed), moving = scaled(limit_.dyads[dyad].planar.moving);
-    if (!panel.holds(fixed) || !panel.holds(moving)) return;
-    const Point2 a = panel.place(fixed), b = panel.place(moving);
-    svg_.text({(a[0] + b[0]) / 2, (a[1] + b[1]) / 2 + 5}, fmt::format("{}", dyad + 1), number_style(dyad));
+  /// Beside the fixed pivot.
+  void name(const Panel& panel, std::size_t dyad, LabelPlaces& labels) {
+    const Point2 fixed = scaled(limit_.dyads[dyad].planar.fixed);
+    if (!panel.holds(fixed)) return;
+    const Point2 at = labels.place(panel.place(fixed), 5);
+    svg_.text({at[0], at[1] + 5}, fmt::format("{}", dyad + 1), number_style(dyad));
   }
   static std::string number_style(std::size_t dyad) {
     return fmt::format("text-anchor=\"middle\" font-size=\"14\" font-weight=\"600\" fill=\"{}\"", pose_colour(dyad));

@@ -5,8 +5,10 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <ostream>
+#include <vector>
 
 #include "burmester/modules/framework/input.hpp"
 #include "burmester/modules/framework/json_text.hpp"
@@ -42,18 +44,31 @@ double axis_distance(const Axis& a, const std::vector<double>& b) {
   return std::atan2(a.cross(v).norm(), std::abs(a.dot(v)));
 }
 
-int crossings_at(const AxisPlot& plot, const Axis& axis) {
-  return static_cast<int>(std::count_if(plot.crossings.begin(), plot.crossings.end(), [&](const auto& c) {
-    return c.accepted() && axis_distance(axis, {c.axis[0], c.axis[1], c.axis[2]}) < same_axis;
-  }));
+/// Raw estimates, longitude and latitude: the crossings that are refined to this axis.
+using ReadOff = std::vector<std::array<double, 2>>;
+ReadOff read_off_at(const AxisPlot& plot, const Axis& axis) {
+  ReadOff out;
+  for (const auto& c : plot.crossings)
+    if (c.accepted() && axis_distance(axis, {c.axis[0], c.axis[1], c.axis[2]}) < same_axis) out.push_back(c.read_off);
+  return out;
+}
+/// How far the worst of them is from the axis, radians.
+double error_of(const ReadOff& estimates, const Axis& axis) {
+  double out = 0;
+  for (const auto& [longitude, latitude] : estimates) {
+    const Axis e = spherical::axis_at(longitude, latitude);
+    out = std::max(out, axis_distance(axis, {e[0], e[1], e[2]}));
+  }
+  return out;
 }
 
 /// A dyad of the semigraphical method and the algebraic one that it is.
 struct Pairing {
   Design dyad;
-  int moving_crossings = 0, fixed_crossings = 0;
+  ReadOff moving, fixed;
   int algebraic = 0;  ///< id, 0 where there is none
   double apart = 0;   ///< radians, of the axes that differ most
+  double read_off_error() const { return std::max(error_of(moving, dyad.moving), error_of(fixed, dyad.fixed)); }
 };
 
 /// All that the two plots show, those of the plot of moving axes first.
@@ -62,7 +77,7 @@ std::vector<Pairing> paired(const SemigraphicalAnswer& answer, const Synthesis& 
   const auto add = [&](const Design& d) {
     for (const Pairing& p : out)
       if (std::abs(p.dyad.moving.dot(d.moving)) > 1 - 1e-12 && std::abs(p.dyad.fixed.dot(d.fixed)) > 1 - 1e-12) return;
-    Pairing pairing{d, crossings_at(answer.moving, d.moving), crossings_at(answer.fixed, d.fixed), 0, 0};
+    Pairing pairing{d, read_off_at(answer.moving, d.moving), read_off_at(answer.fixed, d.fixed), 0, 0};
     for (const DyadRecord& r : algebraic.dyads) {
       const double apart = std::max(axis_distance(d.moving, r.moving), axis_distance(d.fixed, r.fixed));
       if (apart < (pairing.algebraic ? pairing.apart : same_axis)) pairing.algebraic = r.id, pairing.apart = apart;
@@ -95,15 +110,22 @@ json spurious_of(const AxisPlot& plot, const char* name, const Units& units) {
   return out;
 }
 
+json shown(ReadOff estimates, const Units& units) {
+  for (auto& e : estimates) e = {shown_angle(e[0], units), shown_angle(e[1], units)};
+  return estimates;
+}
+
 json document(const Problem& problem, const SemigraphicalAnswer& answer, const std::vector<Pairing>& pairings,
               const Synthesis& algebraic) {
   json dyads = json::array(), spurious = spurious_of(answer.moving, "moving", problem.units);
+  const auto raw = [&](const ReadOff& estimates) { return shown(estimates, problem.units); };
   for (const Pairing& p : pairings) {
     const DyadRecord d = spherical::RR::record(p.dyad);
     dyads.push_back({{"fixed", d.fixed},
                      {"moving", d.moving},
                      {"arc", shown_angle(*d.arc, problem.units)},
-                     {"crossings", {{"moving", p.moving_crossings}, {"fixed", p.fixed_crossings}}},
+                     {"crossings", {{"moving", p.moving.size()}, {"fixed", p.fixed.size()}}},
+                     {"read_off", {{"moving", raw(p.moving)}, {"fixed", raw(p.fixed)}}},
                      {"algebraic", p.algebraic ? json(p.algebraic) : json()},
                      {"apart", p.algebraic ? json(shown_angle(p.apart, problem.units)) : json()}});
   }
@@ -135,8 +157,8 @@ std::string text(const Problem& problem, const SemigraphicalAnswer& answer, cons
   out += "\n" + plot_line(answer.moving, "moving", answer.dyads.size()) +
          plot_line(answer.fixed, "fixed ", answer.from_fixed.size());
   if (!pairings.empty())
-    out += fmt::format("\n  {:>20}  {:>20}  {:>9}  {:>9}  {:>9}  {:>10}\n", "moving axis", "fixed axis", "arc",
-                       "crossings", "algebraic", "apart");
+    out += fmt::format("\n  {:>20}  {:>20}  {:>9}  {:>9}  {:>12}  {:>9}  {:>8}\n", "moving axis", "fixed axis", "arc",
+                       "crossings", "read off to", "algebraic", "apart");
   const auto place = [&](const std::vector<double>& v) {
     const auto at = spherical::longitude_latitude({v[0], v[1], v[2]});
     return fmt::format("({:.4f}, {:.4f})", shown_angle(at[0], problem.units), shown_angle(at[1], problem.units));
@@ -144,8 +166,9 @@ std::string text(const Problem& problem, const SemigraphicalAnswer& answer, cons
   for (const Pairing& p : pairings) {
     const DyadRecord d = spherical::RR::record(p.dyad);
     out +=
-        fmt::format("  {:>20}  {:>20}  {:>9.5f}  {:>9}  {:>9}  {:>10}\n", place(d.moving), place(d.fixed),
-                    shown_angle(*d.arc, problem.units), fmt::format("{} + {}", p.moving_crossings, p.fixed_crossings),
+        fmt::format("  {:>20}  {:>20}  {:>9.5f}  {:>9}  {:>12.1e}  {:>9}  {:>8}\n", place(d.moving), place(d.fixed),
+                    shown_angle(*d.arc, problem.units), fmt::format("{} + {}", p.moving.size(), p.fixed.size()),
+                    shown_angle(p.read_off_error(), problem.units),
                     p.algebraic ? fmt::format("dyad {}", p.algebraic) : "none",
                     p.algebraic ? fmt::format("{:.1e}", shown_angle(p.apart, problem.units)) : "");
   }
@@ -175,7 +198,8 @@ int semigraphical(const Request& request, const Registry& registry, Console& con
     folder->write("moving_axes.svg", semigraphical_plot(answer.moving, true, algebraic.dyads, problem.name));
     folder->write("fixed_axes.svg", semigraphical_plot(answer.fixed, false, algebraic.dyads, problem.name));
     folder->write("semigraphical.json", as_json);
-    console.err << "wrote " << printable(folder->path("moving_axes.svg"), 500) << '\n' << std::flush;
+    for (const char* file : {"moving_axes.svg", "fixed_axes.svg", "semigraphical.json"})
+      console.err << "wrote " << printable(folder->path(file), 500) << '\n' << std::flush;
   }
   emit(console.out, request.as_json ? as_json : text(problem, answer, pairings, algebraic));
   return answered;

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "report/label_places.hpp"
 #include "report/svg.hpp"
 
 namespace burmester {
@@ -19,16 +20,21 @@ class Plot {
 
   std::string draw(const spherical::AxisPlot& plot, bool moving, const std::vector<DyadRecord>& algebraic) {
     grid(moving);
+    LabelPlaces labels;
     for (std::size_t j = 0; j < 4; ++j)
-      for (const Polyline& line : joined(plot.curves[j]))
-        svg_.polyline(placed(line), false,
+      for (const Polyline& line : joined(plot.curves[j])) {
+        const Polyline points = placed(line);
+        svg_.polyline(points, false,
                       fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"1.5\" stroke-linejoin=\"round\"",
                                   curve_colours[j]));
+        for (const Point2& p : points) labels.avoid(p, 1);
+      }
     for (const spherical::Crossing& c : plot.crossings)
-      if (!c.accepted()) cross(at(c.read_off));
+      if (!c.accepted()) cross(at(c.read_off)), labels.avoid(at(c.read_off), 3);
     for (const spherical::Crossing& c : plot.crossings)
       if (c.accepted()) svg_.circle(at(c.read_off), 3, fmt::format("fill=\"{}\"", ink));
-    for (const DyadRecord& dyad : algebraic) ring(dyad, moving);
+    for (const DyadRecord& dyad : algebraic) ring(dyad, moving), labels.avoid(axis_of(dyad, moving), 3);
+    for (const DyadRecord& dyad : algebraic) number(dyad, labels.place(axis_of(dyad, moving), 5));
     legend();
     return svg_.finish();
   }
@@ -69,15 +75,16 @@ class Plot {
                     fmt::format("stroke=\"{}\" stroke-width=\"1.3\"", soft_ink));
   }
 
-  void ring(const DyadRecord& dyad, bool moving) {
+  Point2 axis_of(const DyadRecord& dyad, bool moving) const {
     const std::vector<double>& v = moving ? dyad.moving : dyad.fixed;
-    if (v.size() != 3) return;
-    const Point2 p = at(spherical::longitude_latitude({v[0], v[1], v[2]}));
-    svg_.circle(p, 8, fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"1.8\"", ink));
-    const double side = p[0] > svg_.width() - 90 ? -1 : 1;
-    svg_.text({p[0] + 12 * side, p[1] - 9}, fmt::format("{}", dyad.id),
-              fmt::format("font-size=\"15\" font-weight=\"600\" fill=\"{}\" text-anchor=\"{}\"", ink,
-                          side > 0 ? "start" : "end"));
+    return at(spherical::longitude_latitude({v[0], v[1], v[2]}));
+  }
+  void ring(const DyadRecord& dyad, bool moving) {
+    svg_.circle(axis_of(dyad, moving), 8, fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"1.8\"", ink));
+  }
+  void number(const DyadRecord& dyad, const Point2& middle) {
+    svg_.text({middle[0], middle[1] + 5}, fmt::format("{}", dyad.id),
+              fmt::format("font-size=\"15\" font-weight=\"600\" fill=\"{}\" text-anchor=\"middle\"", ink));
   }
 
   void legend() {
