@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "burmester/geometry/branch_box.hpp"
+#include "burmester/geometry/paired_points.hpp"
 #include "burmester/geometry/partners_about.hpp"
 #include "burmester/geometry/range.hpp"
 #include "burmester/geometry/trace_pieces.hpp"
@@ -70,10 +71,10 @@ class Tracer {
     Sample out;
     out.inside = out.near = true;
     std::array<Point, 2> at;
-    const Point seen = branch_->approximate.seen(s, sheet);
-    Point p = branch_->approximate.frame.placed(seen);
+    PairedPoints pair{branch_->approximate.seen(s, sheet), {}};
+    if (partner_) pair = paired_points(partner_->approximate, partner_->squares, pair.p);
     for (std::size_t k = 0; k < tracks_; ++k) {
-      if (k == 1) p = partner<double>(partner_->approximate, seen);
+      const Point p = k == 1 ? pair.c : branch_->approximate.frame.placed(pair.p);
       out.valid = out.valid && p.squaredNorm() > 0;
       at[k] = chart_.place(p);
       out.inside = out.inside && chart_.inside(at[k], 1);

@@ -15,6 +15,7 @@ namespace burmester {
 /// three correlations N.
 struct PartnerCurve {
   std::array<Correlation<double>, 3> approximate;
+  std::array<double, 3> squares;  ///< of their norms
   std::array<Correlation<Interval>, 3> enclosing;
   TubeCurve curve;
 };
