@@ -16,7 +16,7 @@ namespace {
 
 using namespace detail;  // the charts and their samples
 constexpr int first_chords = 8;
-constexpr double short_step = 0x1p-22,
+constexpr double short_step = 0x1p-22, short_step_at_line = 0x1p-36,
                  shortest_step = 0x1p-200;  // where doubles may fail to tell points apart; a guard
 constexpr double told = 0x1p-10;            // well below half a chord, which a point that is to lie elsewhere must miss
 constexpr double aim = 0.85;                // of the allowed error (as a length), for the next chord
@@ -149,7 +149,9 @@ class Tracer {
     if (parts == 1) return 1;
     const double length = (to - from) / parts, size = std::abs(length);
     const bool no_more = size < shortest_step || samples_ > most_ || from + length == from || to - length == to;
-    if (!no_more && (size > short_step || tells(x, from, sheet) || tells(y, to, sheet))) return parts;
+    if (!no_more &&
+        (size > (meets_line() ? short_step_at_line : short_step) || tells(x, from, sheet) || tells(y, to, sheet)))
+      return parts;
     give_up();
     return 1;
   }
@@ -204,6 +206,7 @@ class Tracer {
       return true;
     };
     const bool tiny = (b.at - a.at).squaredNorm() <= options_.tolerance * options_.tolerance;
+    if (k == 1 && tiny && meets_line() && by_box(extent_of_box(k, x, y, from, to, sheet))) return true;
     if (k == 1 && tiny && by_box(partner_extent(x, y, boxes(from, to, sheet).seen))) return true;
     const auto chord = chart_.chord(a.at, b.at);
     const Reference* other = elsewhere(x, y, k);
@@ -259,9 +262,12 @@ class Tracer {
     return k == 1 && !(extent <= options_.tolerance) ? partner_extent(x, y, box.seen) : extent;
   }
 
+  /// Whether boxes take care of points with a whole line of partners.
+  bool meets_line() const { return partner_ && !partner_->with_line.empty(); }
+
   BranchBox boxes(double from, double to, int sheet) const {
     const BranchForms<Interval>& branch = branch_->enclosing;
-    if (from == to) {
+    if (from == to && !meets_line()) {
       const Box seen = branch.seen(Interval(from), sheet), at = branch.frame.placed(seen);
       return {{at, tracks_ == 2 ? partner<Interval>(partner_->enclosing, seen) : at}, seen};
     }

@@ -356,5 +356,32 @@ TEST(SphericalFourPoseCurves, OfNearlyCoaxialOrientationsAreWhole) {
   }
 }
 
+// R2 R1^-1 = R4 R3^-1 = T, as products of doubles have it: T's axis is the partner of a great circle, and an axis of
+// the body has another one as partners.
+TEST(SphericalFourPoseCurves, OfTwoPairsWithOneRotationAreTwoGreatCirclesAndAQuadric) {
+  Random random("SphericalFourPoseCurves.OfTwoPairsWithOneRotationAreTwoGreatCirclesAndAQuadric");
+  int complete = 0;
+  for (int i = 0; i < 60; ++i) {
+    const Pose turn = Space::random_pose(random), a = Space::random_pose(random), b = Space::random_pose(random);
+    FourPoseTask task{a, product(turn, a), b, product(turn, b)};
+    for (int k = 3; k > 0; --k)
+      std::swap(task[static_cast<std::size_t>(k)], task[static_cast<std::size_t>(random.below(k + 1))]);
+    const SphericalReport report = FourPoseSolver().solve(task);
+    EXPECT_NE(report.message.find("split into 1 great circle and a quadric cone"), std::string::npos) << i;
+    for (const CurveRecord& piece : report.curves) EXPECT_LT(largest_change_of_arc(task, piece), 1e-12) << i;
+    if (!report.warnings.empty()) continue;
+    ++complete;
+    EXPECT_EQ(report.curves.size(), 3u) << i;
+    EXPECT_LT(distance(turn_axis(turn), report.curves, false), 1e-9) << i;
+    const auto is_one = [](const std::vector<PointRecord>& axes) {
+      return std::ranges::all_of(
+          axes, [&](const PointRecord& p) { return std::abs(axis_of(p).dot(axis_of(axes[0]))) > 1 - 1e-12; });
+    };
+    EXPECT_EQ(std::ranges::count_if(report.curves, [&](const auto& c) { return is_one(c.moving); }), 1) << i;
+    EXPECT_EQ(std::ranges::count_if(report.curves, [&](const auto& c) { return is_one(c.fixed); }), 1) << i;
+  }
+  EXPECT_GE(complete, 54);  // the others have a warning: the great circle and the quadric nearly touch
+}
+
 }  // namespace
 }  // namespace burmester::spherical

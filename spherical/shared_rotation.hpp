@@ -1,0 +1,28 @@
+// Four orientations in two pairs that differ by one and the same rotation.
+//
+// R_j R_i^-1 = R_l R_k^-1 is also R_k R_i^-1 .. seen in the body, R_i^-1 R_k = R_j^-1 R_l. The fixed axis of the one has
+// a great circle of moving axes, the moving axis of the other a great circle of fixed ones, and the rest of the cone is
+// a quadric (docs/curves.md). Quaternions in doubles meet the equation to rounding only, and rounding, by which nobody
+// means anything, is where both circles are as far from exact as doubles can tell.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "burmester/spherical/sliders.hpp"
+
+namespace burmester::spherical {
+
+struct SharedRotation {
+  std::array<std::size_t, 4> poses;  ///< i, j, k, l, from 0
+  double off = 0;                    ///< the angle by which the two rotations differ, radians
+
+  /// The poses of the same equation that begins with another of them.
+  std::array<std::size_t, 4> from(std::size_t pose) const;
+};
+
+/// Nothing where the two rotations differ by more than rounding the four does, 2^-48 rad, or where two orientations are
+/// within 2^-20 rad of each other: rounding means something there.
+std::optional<SharedRotation> shared_rotation(FourPoses poses);
+
+}  // namespace burmester::spherical
