@@ -147,6 +147,10 @@ Point2<Interval> partners_through(const BranchForms<Interval>& branch, const Poi
 
 }  // namespace
 
+Point2<Interval> box_seen(const BranchForms<Interval>& branch, double from, double to, int sheet) {
+  return values(seen(branch, Part(from, to), sheet));
+}
+
 Point2<Interval> box_of_points(const BranchForms<Interval>& branch, double from, double to, int sheet) {
   const Part part(from, to);
   return values(placed(branch, seen(branch, part, sheet), part, sheet));

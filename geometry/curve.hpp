@@ -46,9 +46,6 @@ struct CurveTopology {
   std::vector<PointAtInfinity> at_infinity;         ///< real ones; none listed if the line at infinity splits off
 };
 
-/// Where a curve is drawn: z = 1, or the unit sphere, on which a point and its opposite are one.
-enum class Surface { plane, sphere };
-
 /// A part of a traced curve, or of two curves whose points are partners. Each point of the polyline is within max_error
 /// of the curve, and each point of the part of the curve that it stands for is within max_error of the polyline.
 struct CurvePiece {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "burmester/geometry/branch_box.hpp"
@@ -71,8 +70,7 @@ class Tracer {
     Sample out;
     out.inside = out.near = true;
     std::array<Point, 2> at;
-    PairedPoints pair{branch_->approximate.seen(s, sheet), {}};
-    if (partner_) pair = paired_points(partner_->approximate, partner_->squares, pair.p);
+    const PairedPoints pair = pair_at(s, sheet);
     for (std::size_t k = 0; k < tracks_; ++k) {
       const Point p = k == 1 ? pair.c : branch_->approximate.frame.placed(pair.p);
       out.valid = out.valid && p.squaredNorm() > 0;
@@ -85,6 +83,21 @@ class Tracer {
     out.both = {side_by_side(at[0], other), both_};
     ++samples_;
     return out;
+  }
+
+  /// A point in the frame of the branch, and its partner.
+  PairedPoints pair_at(double s, int sheet) const {
+    const Point p = branch_->approximate.seen(s, sheet);
+    if (!partner_) return {p, {}};
+    const auto& n = partner_->approximate;
+    const auto& squares = partner_->squares;
+    if (meets_line()) {  // beside the point with the line a box knows better which of its points is the partner
+      const Box box = boxes(s, s, sheet).track[1];
+      const Point c(approximate(box[0]), approximate(box[1]), approximate(box[2]));
+      if (patch_of_box(box, c.normalized(), c.normalized()) <= options_.tolerance)
+        return paired_points(n, squares, PairedPoints{p, c});
+    }
+    return paired_points(n, squares, p);
   }
 
   /// Of two opposite points that are the same axis, those nearer to the sample before.
@@ -207,7 +220,7 @@ class Tracer {
     };
     const bool tiny = (b.at - a.at).squaredNorm() <= options_.tolerance * options_.tolerance;
     if (k == 1 && tiny && meets_line() && by_box(extent_of_box(k, x, y, from, to, sheet))) return true;
-    if (k == 1 && tiny && by_box(partner_extent(x, y, boxes(from, to, sheet).seen))) return true;
+    if (k == 1 && tiny && by_box(partner_extent(x, y, box_seen(branch_->enclosing, from, to, sheet)))) return true;
     const auto chord = chart_.chord(a.at, b.at);
     const Reference* other = elsewhere(x, y, k);
     const auto proved = chord && other ? tube(form(k), a, b, *chord) : std::nullopt;

@@ -18,6 +18,9 @@
 
 namespace burmester {
 
+/// z = 1, or the unit sphere, on which a point and its opposite are one.
+enum class Surface { plane, sphere };
+
 struct NearestPoint {
   Point2<double> at;  ///< on the surface, on the sphere on the side of q; F(at) = 0 but for the rounding of `at`
   bool end;           ///< of an open piece: the curve goes on where nothing is traced

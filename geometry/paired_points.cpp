@@ -42,15 +42,11 @@ PairedPoints stepped(const std::array<Correlation<double>, 3>& n, const std::arr
   return {(at.p + step.head<3>()).normalized(), (at.c + step.tail<3>()).normalized()};
 }
 
-}  // namespace
-
 PairedPoints paired_points(const std::array<Correlation<double>, 3>& n, const std::array<double, 3>& squares,
-                           const Point2<double>& near) {
-  const Lines lines = lines_of_partners(n, near);
-  PairedPoints out{near, concurrence(lines)};
-  double left = miss(lines, squares, out);
-  if (!(left > allowed)) return out;  // also where it is not a number
-  PairedPoints at{near.normalized(), out.c.normalized()};
+                           const Lines& lines, const PairedPoints& near) {
+  double left = miss(lines, squares, near);
+  if (!(left > allowed)) return near;  // also where it is not a number
+  PairedPoints out = near, at{near.p.normalized(), near.c.normalized()};
   for (int k = 0; k < most_steps && left > allowed; ++k) {
     at = stepped(n, squares, at);
     const double now = miss(lines_of_partners(n, at.p), squares, at);
@@ -58,6 +54,19 @@ PairedPoints paired_points(const std::array<Correlation<double>, 3>& n, const st
     left = now, out = at;
   }
   return out;
+}
+
+}  // namespace
+
+PairedPoints paired_points(const std::array<Correlation<double>, 3>& n, const std::array<double, 3>& squares,
+                           const PairedPoints& near) {
+  return paired_points(n, squares, lines_of_partners(n, near.p), near);
+}
+
+PairedPoints paired_points(const std::array<Correlation<double>, 3>& n, const std::array<double, 3>& squares,
+                           const Point2<double>& p) {
+  const Lines lines = lines_of_partners(n, p);
+  return paired_points(n, squares, lines, {p, concurrence(lines)});
 }
 
 }  // namespace burmester

@@ -19,9 +19,13 @@ struct PairedPoints {
 /// How far p^T N c may be from zero, as a share of |p| |N| |c|: a few times its rounding. (Norm of all three.)
 inline constexpr double paired_within = 0x1p-49;
 
-/// A pair near a point `near`, and that point where it is within paired_within; or as near as doubles get. c: zero where
-/// every point of a line is a partner. squares: |N_k|^2, sums of the squares of all entries.
+/// A pair near the two points given, and these where they are within paired_within; or as near as doubles get.
+/// squares: |N_k|^2, sums of the squares of all entries.
 PairedPoints paired_points(const std::array<Correlation<double>, 3>& n, const std::array<double, 3>& squares,
-                           const Point2<double>& near);
+                           const PairedPoints& near);
+
+/// The same near p and what two of the three lines tell of its partner. c: zero where they are one line.
+PairedPoints paired_points(const std::array<Correlation<double>, 3>& n, const std::array<double, 3>& squares,
+                           const Point2<double>& p);
 
 }  // namespace burmester

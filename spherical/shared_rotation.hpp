@@ -1,9 +1,8 @@
 // Four orientations in two pairs that differ by one and the same rotation.
 //
-// R_j R_i^-1 = R_l R_k^-1 is also R_k R_i^-1 .. seen in the body, R_i^-1 R_k = R_j^-1 R_l. The fixed axis of the one has
-// a great circle of moving axes, the moving axis of the other a great circle of fixed ones, and the rest of the cone is
-// a quadric (docs/curves.md). Quaternions in doubles meet the equation to rounding only, and rounding, by which nobody
-// means anything, is where both circles are as far from exact as doubles can tell.
+// R_j R_i^-1 = R_l R_k^-1, and then R_i^-1 R_k = R_j^-1 R_l. The axis of the first in S is the partner of a great circle
+// of moving axes, that of the second in E has a great circle of partners, and the rest of the cone is a quadric
+// (docs/curves.md). Quaternions in doubles meet the equation to rounding only.
 #pragma once
 
 #include <array>
