@@ -1,7 +1,7 @@
 // Four orientations in two pairs that differ by one and the same rotation.
 //
-// R_j R_i^-1 = R_l R_k^-1, and then R_i^-1 R_k = R_j^-1 R_l. The axis of the first in S is the partner of a great circle
-// of moving axes, that of the second in E has a great circle of partners, and the rest of the cone is a quadric
+// R_j R_i^-1 = R_l R_k^-1, and then R_i^-1 R_k = R_j^-1 R_l. The axis of the first in S is the partner of a great
+// circle of moving axes, that of the second in E has a great circle of partners, and the rest of the cone is a quadric
 // (docs/curves.md). Quaternions in doubles meet the equation to rounding only.
 #pragma once
 
