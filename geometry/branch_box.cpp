@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "burmester/geometry/jet.hpp"
 #include "burmester/geometry/range.hpp"
@@ -87,7 +89,67 @@ Point2<Moving> placed(const BranchForms<Interval>& branch, const Point2<Moving>&
   return sharpened(branch.frame.placed(seen), branch(part.middle, sheet), part.step);
 }
 
+bool told(const Point2<Interval>& p) {
+  return std::any_of(p.data(), p.data() + 3, [](const Interval& x) { return !contains_zero(x); });
+}
+
+/// Sum of the widths, the largest coordinate 1 or -1.
+double width(const Point2<Interval>& p) {
+  int k = 0;
+  for (int i = 1; i < 3; ++i)
+    if (std::abs(approximate(p[i])) > std::abs(approximate(p[k]))) k = i;
+  if (contains_zero(p[k])) return std::numeric_limits<double>::infinity();
+  double sum = 0;
+  for (int i = 0; i < 3; ++i)
+    if (const Interval at = p[i] / p[k]; i != k) sum += upper(at) - lower(at);
+  return sum;
+}
+
+/// Whether the part is proved to run through the point. A line through the base and a double point meets the curve
+/// there twice: u(s) is that line where both sheets are the point. But where the line is part of the curve only one of
+/// its two other points need be.
+bool runs_through(const BranchForms<Interval>& branch, const PointWithLine& point, const Part& part, int sheet) {
+  const Point2<Interval>& p = point.at;
+  if (branch.line && !point.sees_base) return false;
+  const auto side = [&](double s) {
+    if (branch.line) {
+      const int k = magnitude(branch.u[0][0]) > magnitude(branch.u[0][1]) ? 1 : 2;
+      const Point2<Interval> at = branch.on_line(Interval(s));
+      return at[0] * p[k] - at[k] * p[0];
+    }
+    const Point1<Interval> u = branch.line_at(Interval(s));
+    return u[0] * p[2] - u[1] * p[1];
+  };
+  if (!(upper(side(lower(part.over)) * side(upper(part.over))) < 0)) return false;
+  return branch.line || !point.sees_base || told(values(seen(branch, part, -sheet)).cross(p));
+}
+
+/// A part that is proved to run through the point, with this part and little more. Nothing where the point is far.
+std::optional<Part> hull_with(const BranchForms<Interval>& branch, const PointWithLine& point, const Part& part,
+                              int sheet) {
+  constexpr double least = 0x1p-44,
+                   most = 0x1p-10;  // at the ends of a part the doubles do not tell on which side it is
+  const double from = lower(part.over), to = upper(part.over);
+  for (double beyond = least; beyond < most; beyond *= 4)
+    for (const Part& wide : {Part(from - beyond, to + least), Part(from - least, to + beyond)})
+      if (runs_through(branch, point, wide, sheet)) return wide;
+  return std::nullopt;
+}
+
+/// The partners of a part that runs through such a point: beside it X(s)^T N = (s - s0) X'^T N, X' from the part.
+Point2<Interval> partners_through(const BranchForms<Interval>& branch, const PointWithLine& point, const Part& part,
+                                  int sheet) {
+  const Point2<Moving> p = seen(branch, part, sheet);
+  const Point2<Interval> along{p[0].slope[0], p[1].slope[0], p[2].slope[0]};
+  return concurrence<Interval>({line_of_partners(point.through, values(p)), line_of_partners(point.beside[0], along),
+                                line_of_partners(point.beside[1], along)});
+}
+
 }  // namespace
+
+Point2<Interval> box_seen(const BranchForms<Interval>& branch, double from, double to, int sheet) {
+  return values(seen(branch, Part(from, to), sheet));
+}
 
 Point2<Interval> box_of_points(const BranchForms<Interval>& branch, double from, double to, int sheet) {
   const Part part(from, to);
@@ -102,8 +164,13 @@ BranchBox box_with_partners(const BranchForms<Interval>& branch, const PartnerCu
   for (std::size_t j = 0; j < 3; ++j)
     for (int i = 0; i < 9; ++i) n[j](i) = Moving(partners.enclosing[j](i));
   const Point2<Interval> middle = partner<Interval>(partners.enclosing, branch.seen(part.middle, sheet));
-  return {{values(placed(branch, p, part, sheet)), values(sharpened(partner<Moving>(n, p), middle, part.step))},
-          values(p)};
+  BranchBox out{{values(placed(branch, p, part, sheet)), values(sharpened(partner<Moving>(n, p), middle, part.step))},
+                values(p)};
+  for (const PointWithLine& point : partners.with_line)
+    if (const auto hull = hull_with(branch, point, part, sheet))
+      if (const auto through = partners_through(branch, point, *hull, sheet); width(through) < width(out.track[1]))
+        out.track[1] = through;
+  return out;
 }
 
 }  // namespace burmester

@@ -18,6 +18,8 @@ struct BranchBox {
   std::array<Point2<Interval>, 2> track;  ///< points, partners
   Point2<Interval> seen;                  ///< the points in the frame of the branch
 };
+/// In the frame.
+Point2<Interval> box_seen(const BranchForms<Interval>& branch, double from, double to, int sheet);
 Point2<Interval> box_of_points(const BranchForms<Interval>& branch, double from, double to, int sheet);
 BranchBox box_with_partners(const BranchForms<Interval>& branch, const PartnerCurve& partners, double from, double to,
                             int sheet);

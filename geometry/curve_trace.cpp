@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "burmester/geometry/branch_box.hpp"
+#include "burmester/geometry/paired_points.hpp"
 #include "burmester/geometry/partners_about.hpp"
 #include "burmester/geometry/range.hpp"
 #include "burmester/geometry/trace_pieces.hpp"
@@ -15,7 +15,7 @@ namespace {
 
 using namespace detail;  // the charts and their samples
 constexpr int first_chords = 8;
-constexpr double short_step = 0x1p-22,
+constexpr double short_step = 0x1p-22, short_step_at_line = 0x1p-36,
                  shortest_step = 0x1p-200;  // where doubles may fail to tell points apart; a guard
 constexpr double told = 0x1p-10;            // well below half a chord, which a point that is to lie elsewhere must miss
 constexpr double aim = 0.85;                // of the allowed error (as a length), for the next chord
@@ -70,10 +70,9 @@ class Tracer {
     Sample out;
     out.inside = out.near = true;
     std::array<Point, 2> at;
-    const Point seen = branch_->approximate.seen(s, sheet);
-    Point p = branch_->approximate.frame.placed(seen);
+    const PairedPoints pair = pair_at(s, sheet);
     for (std::size_t k = 0; k < tracks_; ++k) {
-      if (k == 1) p = partner<double>(partner_->approximate, seen);
+      const Point p = k == 1 ? pair.c : branch_->approximate.frame.placed(pair.p);
       out.valid = out.valid && p.squaredNorm() > 0;
       at[k] = chart_.place(p);
       out.inside = out.inside && chart_.inside(at[k], 1);
@@ -84,6 +83,21 @@ class Tracer {
     out.both = {side_by_side(at[0], other), both_};
     ++samples_;
     return out;
+  }
+
+  /// A point in the frame of the branch, and its partner.
+  PairedPoints pair_at(double s, int sheet) const {
+    const Point p = branch_->approximate.seen(s, sheet);
+    if (!partner_) return {p, {}};
+    const auto& n = partner_->approximate;
+    const auto& squares = partner_->squares;
+    if (meets_line()) {  // beside the point with the line a box knows better which of its points is the partner
+      const Box box = boxes(s, s, sheet).track[1];
+      const Point c(approximate(box[0]), approximate(box[1]), approximate(box[2]));
+      if (patch_of_box(box, c.normalized(), c.normalized()) <= options_.tolerance)
+        return paired_points(n, squares, PairedPoints{p, c});
+    }
+    return paired_points(n, squares, p);
   }
 
   /// Of two opposite points that are the same axis, those nearer to the sample before.
@@ -148,7 +162,9 @@ class Tracer {
     if (parts == 1) return 1;
     const double length = (to - from) / parts, size = std::abs(length);
     const bool no_more = size < shortest_step || samples_ > most_ || from + length == from || to - length == to;
-    if (!no_more && (size > short_step || tells(x, from, sheet) || tells(y, to, sheet))) return parts;
+    if (!no_more &&
+        (size > (meets_line() ? short_step_at_line : short_step) || tells(x, from, sheet) || tells(y, to, sheet)))
+      return parts;
     give_up();
     return 1;
   }
@@ -203,7 +219,8 @@ class Tracer {
       return true;
     };
     const bool tiny = (b.at - a.at).squaredNorm() <= options_.tolerance * options_.tolerance;
-    if (k == 1 && tiny && by_box(partner_extent(x, y, boxes(from, to, sheet).seen))) return true;
+    if (k == 1 && tiny && meets_line() && by_box(extent_of_box(k, x, y, from, to, sheet))) return true;
+    if (k == 1 && tiny && by_box(partner_extent(x, y, box_seen(branch_->enclosing, from, to, sheet)))) return true;
     const auto chord = chart_.chord(a.at, b.at);
     const Reference* other = elsewhere(x, y, k);
     const auto proved = chord && other ? tube(form(k), a, b, *chord) : std::nullopt;
@@ -258,9 +275,12 @@ class Tracer {
     return k == 1 && !(extent <= options_.tolerance) ? partner_extent(x, y, box.seen) : extent;
   }
 
+  /// Whether boxes take care of points with a whole line of partners.
+  bool meets_line() const { return partner_ && !partner_->with_line.empty(); }
+
   BranchBox boxes(double from, double to, int sheet) const {
     const BranchForms<Interval>& branch = branch_->enclosing;
-    if (from == to) {
+    if (from == to && !meets_line()) {
       const Box seen = branch.seen(Interval(from), sheet), at = branch.frame.placed(seen);
       return {{at, tracks_ == 2 ? partner<Interval>(partner_->enclosing, seen) : at}, seen};
     }

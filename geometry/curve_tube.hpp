@@ -21,7 +21,6 @@
 #include <algorithm>
 #include <cmath>
 #include <concepts>
-#include <limits>
 #include <optional>
 
 #include "burmester/geometry/cubic.hpp"

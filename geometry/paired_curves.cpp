@@ -128,17 +128,49 @@ LinearForm<Rational> common_line_of_partners(const ThreeCorrelations<Rational>& 
   return one ? LinearForm<Rational>(*other / Rational(other->cwiseAbs().maxCoeff())) : LinearForm<Rational>::Zero();
 }
 
+/// A double point that has a line of partners, for the tracing.
+PointWithLine point_with_line(const ThreeCorrelations<Rational>& n, const Point2<Rational>& p,
+                              const BranchFrame<Rational>& frame) {
+  std::array<LinearForm<Rational>, 3> lines;
+  for (std::size_t k = 0; k < 3; ++k) lines[k] = line_of_partners(n[k], p);
+  const auto size = [&](std::size_t k) { return Rational(lines[k].cwiseAbs().maxCoeff()); };
+  std::size_t first = 0;
+  for (std::size_t k = 1; k < 3; ++k)
+    if (size(k) > size(first)) first = k;
+  Eigen::Index at = 0;
+  lines[first].cwiseAbs().maxCoeff(&at);
+  ThreeCorrelations<Rational> sums;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Correlation<Rational>& each = n[(first + k) % 3];
+    const Rational share = k == 0 ? Rational(0) : Rational(lines[(first + k) % 3][at] / lines[first][at]);
+    sums[k] = frame.seen(Correlation<Rational>(each - share * n[first]));
+  }
+  const auto seen = enclosures(sums);
+  const int i = frame.i, j = frame.j, k = 3 - i - j;
+  const Rational along = p[k] / frame.base[k], scale = 1 / p.cwiseAbs().maxCoeff();
+  const Point2<Rational> base = along == 0 ? frame.base : Point2<Rational>(along * frame.base);
+  return {{enclosure(Rational(scale * along)), enclosure(Rational(scale * (p[i] - along * frame.base[i]))),
+           enclosure(Rational(scale * (p[j] - along * frame.base[j])))},
+          points_with_partner(n)(Point2<Rational>(base + p)) == 0,
+          seen[0],
+          {seen[1], seen[2]}};
+}
+
 /// A point as pieces have it; nothing outside the window.
-std::optional<Point2<double>> placed(const Point2<Rational>& p, bool in_plane, double window) {
+std::optional<Point2<double>> placed(const Point2<Rational>& p, Surface surface, double window) {
   const Point2<Rational> near = p / Rational(p.cwiseAbs().maxCoeff());
   const Point2<double> at(approximate(near[0]), approximate(near[1]), approximate(near[2]));
-  if (!in_plane) return at.normalized();
+  if (surface == Surface::sphere) return at.normalized();
   if (!(at.head<2>().cwiseAbs().maxCoeff() <= window * std::abs(at[2]))) return std::nullopt;
   return at / at[2];
 }
 
-TracedCurve traced_line(const LinearForm<Rational>& line, int component, TraceCurve trace,
-                        const TraceOptions& options) {
+TracedCurve trace(Surface surface, const CubicBranches& branches, const TubeCurve& curve,
+                  const std::optional<PartnerCurve>& partners, const TraceOptions& options) {
+  return (surface == Surface::plane ? trace_in_plane : trace_on_sphere)(branches, curve, partners, options);
+}
+
+TracedCurve traced_line(const LinearForm<Rational>& line, int component, Surface surface, const TraceOptions& options) {
   Conic<Interval> squares;
   for (int k = 0; k < 3; ++k) squares.add_product(LinearForm<Interval>::Unit(k), LinearForm<Interval>::Unit(k), 1);
   const LinearForm<Interval> form(enclosure(line[0]), enclosure(line[1]), enclosure(line[2]));
@@ -146,36 +178,42 @@ TracedCurve traced_line(const LinearForm<Rational>& line, int component, TraceCu
   alone.add_product(form, squares);
   CubicBranches branches;
   branches.branches.push_back(line_branch(line, component));
-  return trace(branches, tube_curve(alone), std::nullopt, options);
+  return trace(surface, branches, tube_curve(alone), std::nullopt, options);
 }
 
-/// Adds each vertex that has a line of partners, with that line: other points of the curve are not paired with it.
-void add_lines_of_partners(const ThreeCorrelations<Rational>& n, TraceCurve trace, const TraceOptions& options,
-                           PairedCurves& out) {
-  std::vector<Point2<Rational>> seen;
+using VerticesWithLine = std::vector<std::pair<Point2<Rational>, LinearForm<Rational>>>;
+
+/// The vertices that have a line of partners, with that line.
+VerticesWithLine vertices_with_line(const ThreeCorrelations<Rational>& n) {
+  VerticesWithLine out;
   for (const Correlation<Rational>& each : n) {
     const Point2<Rational> p = vertex(each);
     const LinearForm<Rational> line = common_line_of_partners(n, p);
-    const auto same = [&](const Point2<Rational>& q) { return q.cross(p).isZero(0); };
-    if (line.isZero(0) || std::ranges::any_of(seen, same)) continue;
-    seen.push_back(p);
-    ++out.lines_of_partners;
-    const auto at = placed(p, &trace == &trace_in_plane, options.window);
-    if (!at) continue;
-    const int component = out.topology.isolated > 0 ? out.topology.components - 1 : 0;  // else a crossing
-    TracedCurve traced = traced_line(line, component, trace, options);
-    out.traced.complete = out.traced.complete && traced.complete;
-    for (CurvePiece& piece : traced.pieces) {
-      piece.partners.swap(piece.points);
-      piece.points.assign(piece.partners.size(), *at);
-      out.traced.pieces.push_back(std::move(piece));
-    }
+    const auto same = [&](const auto& other) { return other.first.cross(p).isZero(0); };
+    if (!line.isZero(0) && std::ranges::none_of(out, same)) out.emplace_back(p, line);
+  }
+  return out;
+}
+
+/// Adds a vertex with its line of partners: other points of the curve are not paired with it.
+void add_line_of_partners(const Point2<Rational>& p, const LinearForm<Rational>& line, Surface surface,
+                          const TraceOptions& options, PairedCurves& out) {
+  ++out.lines_of_partners;
+  const auto at = placed(p, surface, options.window);
+  if (!at) return;
+  const int component = out.topology.isolated > 0 ? out.topology.components - 1 : 0;  // else a crossing
+  TracedCurve traced = traced_line(line, component, surface, options);
+  out.traced.complete = out.traced.complete && traced.complete;
+  for (CurvePiece& piece : traced.pieces) {
+    piece.partners.swap(piece.points);
+    piece.points.assign(piece.partners.size(), *at);
+    out.traced.pieces.push_back(std::move(piece));
   }
 }
 
 }  // namespace
 
-PairedCurves paired_curves(const DecidingCorrelations& correlations, TraceCurve trace, const TraceOptions& options) {
+PairedCurves paired_curves(const DecidingCorrelations& correlations, Surface surface, const TraceOptions& options) {
   const UpwardRounding upward;
   auto n = correlations.intervals();
   const auto order = order_of_bases(n);
@@ -187,18 +225,22 @@ PairedCurves paired_curves(const DecidingCorrelations& correlations, TraceCurve 
       std::min<double>(options.most_samples, 600 * std::sqrt(std::max(1.0, options.longest / options.tolerance))));
   if (const auto branches = nearly ? std::nullopt : branches_by_intervals(n, order)) {
     TracedCurve traced =
-        trace(*branches, tube_curve(points_with_partner(n)), partner_curve(n, branches->frame), limited);
+        trace(surface, *branches, tube_curve(points_with_partner(n)), partner_curve(n, branches->frame), limited);
     if (traced.complete) return {branches->topology, std::move(traced)};
   }
-  const CubicBranches branches = branches_by_rationals(correlations.rationals(), order);
+  const ThreeCorrelations<Rational> given = correlations.rationals();
+  const CubicBranches branches = branches_by_rationals(given, order);
   PairedCurves out{branches.topology, {}};
   if (branches.topology.rung == Rung::none) return out;
-  const ThreeCorrelations<Rational> exact = independent(correlations.rationals(), nearly);
+  const auto vertices = branches.topology.singular.empty() ? VerticesWithLine() : vertices_with_line(given);
+  const ThreeCorrelations<Rational> exact = independent(given, nearly);
   const BranchFrame<Rational> frame{*branches.base, branches.frame.i, branches.frame.j};
   n = enclosures(exact);
-  const auto seen = enclosures({frame.seen(exact[0]), frame.seen(exact[1]), frame.seen(exact[2])});
-  out.traced = trace(branches, tube_curve(points_with_partner(n)), partner_curve(n, seen), limited);
-  if (!branches.topology.singular.empty()) add_lines_of_partners(correlations.rationals(), trace, limited, out);
+  PartnerCurve partners =
+      partner_curve(n, enclosures({frame.seen(exact[0]), frame.seen(exact[1]), frame.seen(exact[2])}));
+  for (const auto& [p, line] : vertices) partners.with_line.push_back(point_with_line(exact, p, frame));
+  out.traced = trace(surface, branches, tube_curve(points_with_partner(n)), partners, limited);
+  for (const auto& [p, line] : vertices) add_line_of_partners(p, line, surface, limited, out);
   return out;
 }
 

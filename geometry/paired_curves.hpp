@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "burmester/geometry/curve_trace.hpp"
+#include "burmester/geometry/nearest_point.hpp"
 
 namespace burmester {
 
@@ -20,14 +21,11 @@ struct DecidingCorrelations {
   bool tell_near_origin = false;  ///< the vertices are near the origin: small numbers tell where
 };
 
-/// trace_in_plane or trace_on_sphere
-using TraceCurve = TracedCurve (&)(const CubicBranches&, const TubeCurve&, const std::optional<PartnerCurve>&,
-                                   const TraceOptions&);
-
 /// The curves are seen from a vertex of one of the correlations, or from a point between two of them. A vertex that has
 /// a whole line of partners is paired with each of them in a piece of its own: part of the component it lies on, or a
 /// component where it is isolated. No answer where every point has a partner, or where a line of such points counts
-/// more than once. Throws std::invalid_argument for options that are not positive.
-PairedCurves paired_curves(const DecidingCorrelations& correlations, TraceCurve trace, const TraceOptions& options);
+/// more than once. Not more than 600 sqrt(longest / tolerance) samples are taken (options.most_samples, where that is
+/// less). Throws std::invalid_argument for options that are not positive.
+PairedCurves paired_curves(const DecidingCorrelations& correlations, Surface surface, const TraceOptions& options);
 
 }  // namespace burmester

@@ -19,12 +19,14 @@ TubeCurve tube_curve(const Cubic<Interval>& f) {
 PartnerCurve partner_curve(const std::array<Correlation<Interval>, 3>& n,
                            const std::array<Correlation<Interval>, 3>& seen) {
   std::array<Correlation<double>, 3> middle;
+  std::array<double, 3> squares;
   std::array<Correlation<Interval>, 3> back;
   for (std::size_t k = 0; k < 3; ++k) {
     for (int i = 0; i < 9; ++i) middle[k](i) = approximate(seen[k](i));
+    squares[k] = middle[k].squaredNorm();
     back[k] = n[k].transpose();
   }
-  return {middle, seen, tube_curve(points_with_partner(back))};
+  return {middle, squares, seen, tube_curve(points_with_partner(back))};
 }
 
 PartnerCurve partner_curve(const std::array<Correlation<Interval>, 3>& n, const BranchFrame<Interval>& frame) {

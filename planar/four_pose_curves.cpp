@@ -121,7 +121,7 @@ FourPoseCurves four_pose_curves(FourPoses poses, const CurveOptions& options) {
   PairedCurves curves =
       paired_curves({[&] { return task.correlations<Interval>(); }, [&] { return task.correlations<Rational>(); },
                      task.is_about_pole()},
-                    trace_in_plane, {options.tolerance, options.longest, task.window(options.window)});
+                    Surface::plane, {options.tolerance, options.longest, task.window(options.window)});
   if (curves.topology.rung == Rung::none)
     if (const std::string words = degeneracy_of(poses); !words.empty()) curves.topology.reason += "; " + words;
   return curves_in_frames(curves, task);

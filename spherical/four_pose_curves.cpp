@@ -47,6 +47,14 @@ void add_infinitely_many_sliders(const SliderFamily& family, SphericalReport& re
   if (family.isolated) list(*family.isolated, report);
 }
 
+std::string described(const SharedRotation& shared) {
+  const auto& [i, j, k, l] = shared.poses;
+  return fmt::format(
+      "; the rotations from pose {} to {} and from pose {} to {} are one to within {:.1e} rad, rounding, "
+      "and taken to be one",
+      i + 1, j + 1, k + 1, l + 1, shared.off);
+}
+
 void add_sliders(FourPoses poses, SphericalReport& report) {
   if (const auto found = sliders(poses)) {
     report.message += found->empty() ? "; none of them a slider" : "; " + counted(found->size(), "slider");
@@ -62,9 +70,10 @@ void add_sliders(FourPoses poses, SphericalReport& report) {
 
 FourPoseCurves four_pose_curves(FourPoses poses, const CurveOptions& options) {
   const FourPoseFrames task(poses);
+  const auto shared = shared_rotation(poses);
   PairedCurves curves = paired_curves(
-      {[&] { return task.correlations<Interval>(); }, [&] { return task.correlations<Rational>(); }, false},
-      trace_on_sphere, {.tolerance = options.tolerance, .longest = options.longest});
+      {[&] { return task.correlations<Interval>(shared); }, [&] { return task.correlations<Rational>(shared); }},
+      Surface::sphere, {.tolerance = options.tolerance, .longest = options.longest});
   if (curves.topology.rung == Rung::none)
     if (const std::string why = degeneracy_of(poses); !why.empty()) curves.topology.reason = why;
   return curves_in_frames(curves, task);
@@ -74,7 +83,9 @@ SphericalReport FourPoseSolver::solve(std::span<const Pose> poses) const {
   assert(poses.size() == 4);
   const FourPoses four = poses.first<4>();
   SphericalReport report = curve_report<Dyads>(four_pose_curves(four), words);
-  if (report.status == Status::family) add_sliders(four, report);
+  if (report.status != Status::family) return report;
+  if (const auto shared = shared_rotation(four); shared && shared->off > 0) report.message += described(*shared);
+  add_sliders(four, report);
   return report;
 }
 

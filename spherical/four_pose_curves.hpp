@@ -6,7 +6,7 @@
 // spatial displacements of a rigid body", 1967; D. A. Ruth, J. M. McCarthy, "The design of spherical 4R linkages for
 // four specified orientations", 1999; equations 9 and 10 of J. Angeles, S. Bai, "A robust solution of the spherical
 // Burmester problem"). The axes of the six relative rotations lie on them, and the sliders (sliders.hpp). Topology and
-// errors are proved for the doubles given (docs/curves.md).
+// errors are proved for the doubles given, a rotation that two pairs share within rounding made one (docs/curves.md).
 #pragma once
 
 #include <span>

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 
 #include "burmester/spherical/dyads.hpp"
 #include "burmester/spherical/equal_angles.hpp"
+#include "burmester/spherical/shared_rotation.hpp"
 
 namespace burmester::spherical {
 
@@ -17,12 +19,14 @@ class FourPoseFrames {
 
   static double length() { return 1; }
   const Pose& reference() const { return poses_[reference_]; }
-  /// a^T N b' = 0 for moving axes a and fixed axes b'
+  /// a^T N b' = 0 for moving axes a and fixed axes b'. With a shared rotation: of orientations that share it exactly.
   template <class T>
-  std::array<Correlation<T>, 3> correlations() const {
+  std::array<Correlation<T>, 3> correlations(const std::optional<SharedRotation>& shared = {}) const {
     std::array<Correlation<T>, 3> n;
-    for (std::size_t j = 0, k = 0; j < 4; ++j)
-      if (j != reference_) n[k++] = equal_angles(relative_rotation<T>(poses_[reference_], poses_[j]));
+    const auto seen = [&](std::size_t j) { return relative_rotation<T>(poses_[reference_], poses_[j]); };
+    const auto [i, j, k, last] = shared ? shared->from(reference_) : std::array<std::size_t, 4>{4, 4, 4, 4};
+    for (std::size_t pose = 0, at = 0; pose < 4; ++pose)
+      if (pose != reference_) n[at++] = equal_angles(pose == last ? Space::product<T>(seen(j), seen(k)) : seen(pose));
     return n;
   }
   static Axis moving(const Point2<double>& a) { return a.normalized(); }
