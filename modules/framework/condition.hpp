@@ -9,12 +9,18 @@
 // certified, and for more poses than parameters it leaves out the part that grows with the residuals.
 #pragma once
 
-#include <Eigen/SVD>
 #include <limits>
 
 #include "burmester/modules/framework/local.hpp"
 
 namespace burmester {
+
+namespace detail {
+
+/// || J^+ diag(c) ||_2, infinite where the columns of J are dependent. J: poses x parameters, finite.
+double largest_change(const Eigen::MatrixXd& J, const Eigen::VectorXd& c);
+
+}  // namespace detail
 
 /// Change of the design's local coordinates per change of the poses; infinite where the poses do not
 /// determine it. Precondition: at least D::parameters poses.
@@ -23,15 +29,10 @@ double condition(const typename D::Design& design, std::span<const typename D::S
   const double step = step_for<typename D::Space>(poses);
   const Eigen::MatrixXd J = design_jacobian<D>(design, poses, step);
   if (!J.allFinite()) return std::numeric_limits<double>::infinity();
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(J, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  // Differences are good to about 1e-10: a smaller singular value may be 0.
-  const Eigen::VectorXd stretch = svd.singularValues();
-  if (!(stretch[D::parameters - 1] > 1e-10 * stretch[0])) return std::numeric_limits<double>::infinity();
-  Eigen::MatrixXd spread = svd.matrixU().transpose();  // parameters x poses
-  for (Eigen::Index j = 0; j < spread.cols(); ++j)
-    spread.col(j) *= pose_gradient<D>(design, poses[static_cast<std::size_t>(j)], step).norm();
-  spread = stretch.cwiseInverse().asDiagonal() * spread;  // |V x| = |x|: V can stay away
-  return Eigen::JacobiSVD<Eigen::MatrixXd>(spread).singularValues()[0];
+  Eigen::VectorXd c(J.rows());
+  for (Eigen::Index j = 0; j < c.size(); ++j)
+    c[j] = pose_gradient<D>(design, poses[static_cast<std::size_t>(j)], step).norm();
+  return detail::largest_change(J, c);
 }
 
 }  // namespace burmester

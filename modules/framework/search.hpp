@@ -7,11 +7,11 @@
 // none. A slider may appear as the very long crank that it is a limit of.
 #pragma once
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <string>
 #include <vector>
 
+#include "burmester/modules/framework/damped_step.hpp"
 #include "burmester/modules/framework/local.hpp"
 #include "burmester/modules/framework/report.hpp"
 
@@ -41,7 +41,6 @@ inline constexpr double stationary = 1e-7;
 template <DyadType D>
 Refined<D> refine(const typename D::Design& start, std::span<const typename D::Space::Pose> poses, int iterations = 100,
                   std::span<const double> weights = {}) {
-  constexpr int p = D::parameters;
   const Eigen::Index n = static_cast<Eigen::Index>(poses.size());
   const double step = step_for<typename D::Space>(poses);
   Eigen::VectorXd factor = Eigen::VectorXd::Ones(n);
@@ -55,19 +54,11 @@ Refined<D> refine(const typename D::Design& start, std::span<const typename D::S
   for (int i = 0; i < iterations && r.allFinite(); ++i) {
     const Eigen::MatrixXd J = factor.asDiagonal() * design_jacobian<D>(out.design, poses, step);
     if (!J.allFinite()) break;
-    // J P = Q R once a step: |J u + r|^2 is |R P^T u + along|^2 + a constant, so damping extends R alone
-    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(J);
-    const Vector<double, p> along = (qr.householderQ().adjoint() * r).head(p);  // what the design could still take away
-    const double size = J.norm();
-    out.converged = along.norm() <= stationary * r.norm();
-    Eigen::Matrix<double, 2 * p, p> system = Eigen::Matrix<double, 2 * p, p>::Zero();
-    system.template topRows<p>() = qr.matrixQR().topRows(p).template triangularView<Eigen::Upper>();
-    Vector<double, 2 * p> wanted = Vector<double, 2 * p>::Zero();
-    wanted.template head<p>() = -along;
+    const DampedStep steps(J, r);
+    out.converged = steps.removable() <= stationary * r.norm();
     bool better = false;
     for (; !better && damping < 1e8; damping *= 8) {
-      system.template bottomRows<p>().diagonal().setConstant(std::sqrt(damping) * size);
-      const Vector<double, p> u = qr.colsPermutation() * system.colPivHouseholderQr().solve(wanted);
+      const Vector<double, D::parameters> u = steps.at(damping);
       const typename D::Design next = D::nudged(out.design, u);
       const Eigen::VectorXd next_r = weighted(next);
       better = next_r.norm() < r.norm();
