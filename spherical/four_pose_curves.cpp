@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cassert>
+#include <numbers>
 
 #include "burmester/geometry/paired_curves.hpp"
 #include "burmester/modules/framework/counted.hpp"
@@ -13,6 +15,8 @@
 
 namespace burmester::spherical {
 namespace {
+
+constexpr double arc_kept = 1e-12;  // radians; some fifty times what rounding leaves of random pairs
 
 constexpr CurveWords words{"great circle", "quadric cone"};
 
@@ -50,9 +54,33 @@ void add_infinitely_many_sliders(const SliderFamily& family, SphericalReport& re
 std::string described(const SharedRotation& shared) {
   const auto& [i, j, k, l] = shared.poses;
   return fmt::format(
-      "; the rotations from pose {} to {} and from pose {} to {} are one to within {:.1e} rad, rounding, "
-      "and taken to be one",
+      "; the rotations from pose {} to {} and from pose {} to {} are one to within rounding, {:.1e} rad, and taken to "
+      "be one",
       i + 1, j + 1, k + 1, l + 1, shared.off);
+}
+
+/// How far the arc between the axes of a pair changes over the poses, radians; the largest of all pairs.
+double largest_change_of_arc(FourPoses poses, const std::vector<CurveRecord>& curves) {
+  std::array<Matrix<double, 3, 3>, 4> turn;
+  std::ranges::transform(poses, turn.begin(), [](const Pose& pose) {
+    Matrix<double, 3, 3> out;
+    const auto q = Space::point<double>(pose).normalized().eval();
+    for (int k = 0; k < 3; ++k) out.col(k) = Space::act<double>(q, Axis::Unit(k));
+    return out;
+  });
+  double most = 0;
+  for (const CurveRecord& curve : curves)
+    for (std::size_t k = 0; k < curve.moving.size(); ++k) {
+      const Axis a(curve.moving[k][0], curve.moving[k][1], curve.moving[k][2]),
+          b(curve.fixed[k][0], curve.fixed[k][1], curve.fixed[k][2]);
+      double least = std::numbers::pi, largest = 0;
+      for (const auto& r : turn) {
+        const double arc = Space::distance(r * a, b);
+        least = std::min(least, arc), largest = std::max(largest, arc);
+      }
+      most = std::max(most, largest - least);
+    }
+  return most;
 }
 
 void add_sliders(FourPoses poses, SphericalReport& report) {
@@ -85,6 +113,8 @@ SphericalReport FourPoseSolver::solve(std::span<const Pose> poses) const {
   SphericalReport report = curve_report<Dyads>(four_pose_curves(four), words);
   if (report.status != Status::family) return report;
   if (const auto shared = shared_rotation(four); shared && shared->off > 0) report.message += described(*shared);
+  if (const double change = largest_change_of_arc(four, report.curves); change > arc_kept)
+    report.warnings.push_back(fmt::format("pairs of axes on the curves keep their arc to {:.1e} rad only", change));
   add_sliders(four, report);
   return report;
 }
