@@ -4,6 +4,7 @@
 #include <cfenv>
 #include <cmath>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <thread>
 
@@ -13,6 +14,7 @@
 #include "cubics.hpp"
 #include "curve_corpus.hpp"
 #include "polylines.hpp"
+#include "repetitions.hpp"
 
 namespace burmester {
 namespace {
@@ -115,9 +117,10 @@ bool line_meets_curve(const Form& f, const Point2<double>& p, double e) {
 TEST(CurvePicture, EveryPointOfThePolylineIsWithinTheErrorOfTheCurve) {
   const std::string seed = "CurvePicture.EveryPointOfThePolylineIsWithinTheErrorOfTheCurve";
   Random random(seed);
+  constexpr double finest = repetitions(10) < 10 ? 3e-3 : 1e-4;  // tracing finely is what takes the time
   int checked = 0;
   for (const NamedCurve& c : curves(seed))
-    for (const double tolerance : {3e-3, 1e-4}) {
+    for (const double tolerance : std::set{3e-3, finest}) {
       const TracedCurve traced = traced_by_arcs(c.form, {tolerance, 0.5, 4});
       EXPECT_TRUE(traced.complete) << c.name;
       for (const CurvePiece& piece : traced.pieces) {
@@ -130,7 +133,7 @@ TEST(CurvePicture, EveryPointOfThePolylineIsWithinTheErrorOfTheCurve) {
         });
       }
     }
-  EXPECT_GT(checked, 50000);
+  EXPECT_GT(checked, repetitions(50000));
 }
 
 TEST(CurvePicture, EveryPointOfTheCurveInTheWindowIsWithinTheErrorOfThePolyline) {
@@ -141,14 +144,14 @@ TEST(CurvePicture, EveryPointOfTheCurveInTheWindowIsWithinTheErrorOfThePolyline)
     const TracedCurve traced = traced_by_arcs(c.form, {1e-3, 0.5, 4});
     double error = 0;
     for (const CurvePiece& piece : traced.pieces) error = std::max(error, piece.max_error);
-    for (int k = 0; k < 30; ++k)
+    for (int k = 0; k < repetitions(30); ++k)
       for (const Point2<double>& p : points_at_height(c.form, random.uniform(-4, 4)))
         if (in_window(p, 4)) {
           EXPECT_LT(distance_to_pieces(p, traced.pieces), error + 1e-9) << c.name;
           ++checked;
         }
   }
-  EXPECT_GT(checked, 3000);
+  EXPECT_GT(checked, repetitions(3000));
 }
 
 /// Numbers of pieces, open and closed ones, of the components that are seen.

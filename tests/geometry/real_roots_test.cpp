@@ -13,6 +13,7 @@
 #include "burmester/geometry/random.hpp"
 #include "exact_roots.hpp"
 #include "rational.hpp"
+#include "repetitions.hpp"
 
 namespace burmester {
 namespace {
@@ -101,7 +102,7 @@ Planted plant(Random& random, int n) {
 TEST(RealRoots, AgreeWithSturmAndWithThePlantedRoots) {
   Random random("RealRoots.AgreeWithSturmAndWithThePlantedRoots");
   int by_intervals = 0, exactly = 0;
-  for (int n = 0; n < 20000; ++n) {
+  for (int n = 0; n < repetitions(20000); ++n) {
     const Planted planted = plant(random, n);
     const std::vector<RealRoot> roots = real_roots(planted.p);
     if (n / 5 % 8 == 0) {  // every class
@@ -117,8 +118,8 @@ TEST(RealRoots, AgreeWithSturmAndWithThePlantedRoots) {
     }
     if (!roots.empty()) (roots[0].rung() == Rung::exact ? exactly : by_intervals) += 1;
   }
-  EXPECT_GT(by_intervals, 2000);
-  EXPECT_GT(exactly, 2000);
+  EXPECT_GT(by_intervals, repetitions(2000));
+  EXPECT_GT(exactly, repetitions(2000));
 }
 
 TEST(RealRoots, BothRoutesSayTheSame) {

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "four_poses.hpp"
+#include "repetitions.hpp"
 
 namespace burmester::planar {
 namespace {
@@ -177,7 +178,7 @@ TEST(DyadForm, NoPairWhereTheLinkageDoesNotCloseOrAPivotIsInfinitelyFar) {
 TEST(DyadForm, AgreesWithTheCubicOnRandomSets) {
   Random random("DyadForm.AgreesWithTheCubicOnRandomSets");
   int points = 0, two_loops = 0;
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < repetitions(1000); ++i) {
     const FourPoseTask task = random_four_poses(random);
     const DyadForm form(task);
     ASSERT_EQ(form.degeneracy(), "") << i;
@@ -195,9 +196,9 @@ TEST(DyadForm, AgreesWithTheCubicOnRandomSets) {
         EXPECT_LT(cubics.distance_of_fixed(piece.fixed[k]), 1e-10) << i;
       }
   }
-  EXPECT_GT(points, 100000);
-  EXPECT_GT(two_loops, 100);
-  EXPECT_LT(two_loops, 900);
+  EXPECT_GT(points, repetitions(100000));
+  EXPECT_GT(two_loops, repetitions(100));
+  EXPECT_LT(two_loops, repetitions(900));
 }
 
 TEST(DyadForm, ItsJointsCloseAndItsDyadsMeetThePoses) {

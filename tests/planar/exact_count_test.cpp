@@ -5,6 +5,7 @@
 
 #include "burmester/planar/five_pose_oracle.hpp"
 #include "exact_five_pose.hpp"
+#include "repetitions.hpp"
 
 namespace burmester::planar {
 namespace {
@@ -13,7 +14,7 @@ TEST(ExactCount, AgreesOnEveryClass) {
   for (const TaskClass& c : random_task_classes()) {
     const std::string stream = "ExactCount.AgreesOnEveryClass." + std::string(c.name);
     Random random(stream), coordinates(stream + ".coordinates");
-    for (int i = 0; i < 200; ++i) {
+    for (int i = 0; i < repetitions(200); ++i) {
       const FivePoseTask task = c.make(random);
       const exact::Solutions truth = exact::count_solutions(task, coordinates);
       ASSERT_EQ(truth.dimension, 3u) << stream << ", task " << i;
@@ -51,7 +52,7 @@ TEST(ExactCount, PivotsAreThoseOfTheExactSolutions) {
   const std::string stream = "ExactCount.PivotsAreThoseOfTheExactSolutions";
   Random random(stream), coordinates(stream + ".coordinates");
   double worst = 0;
-  for (int i = 0; i < 100; ++i) {
+  for (int i = 0; i < repetitions(100); ++i) {
     const FivePoseTask task = find_task_class("generic")->make(random);
     const std::vector<exact::Lifted> solutions = exact::real_solutions(task, coordinates, 60);
     const FivePoseRoots<double> roots = five_pose_roots(task);

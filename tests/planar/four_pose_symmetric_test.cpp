@@ -9,6 +9,7 @@
 
 #include "burmester/planar/four_pose_curves.hpp"
 #include "four_poses.hpp"
+#include "repetitions.hpp"
 
 namespace burmester::planar {
 namespace {
@@ -75,7 +76,7 @@ FourPoseTask mirrored(Random& random) {
 
 TEST(SymmetricPoses, AtRandom) {
   Random random("SymmetricPoses.AtRandom");
-  for (int i = 0; i < 150; ++i) expect_whole(mirrored(random), "set " + std::to_string(i));
+  for (int i = 0; i < repetitions(150); ++i) expect_whole(mirrored(random), "set " + std::to_string(i));
 }
 
 /// Beside the node of a curve that nearly splits, a partner may run along a line while its point stands still.

@@ -7,6 +7,7 @@
 #include "burmester/planar/five_pose_roots.hpp"
 #include "burmester/planar/five_pose_solver.hpp"
 #include "exact_five_pose.hpp"
+#include "repetitions.hpp"
 
 namespace burmester::planar {
 namespace {
@@ -50,7 +51,7 @@ std::optional<int> expected_count(const exact::Solutions& truth, FivePoseCase wh
 
 void expect_agreement(const std::string& stream, int tasks, int turns, int places) {
   Random random(stream), coordinates(stream + ".coordinates");
-  for (int i = 0; i < tasks; ++i) {
+  for (int i = 0; i < repetitions(tasks); ++i) {
     const FivePoseTask task = lattice_task(random, turns, places);
     const std::string label = stream + ", task " + std::to_string(i) + ':' + text(task);
     const exact::Solutions truth = exact::count_solutions(task, coordinates);
