@@ -98,6 +98,10 @@ Angles angles_of(const TurnedTask& task, const AxesAt& x) {
   return out;
 }
 
+/// A stretch below this, relative to the largest, is rounding: derivatives are known to some units of 2^-53, times up
+/// to 2^6 for alpha of close axes.
+constexpr double undetermined = 0x1p-44;
+
 template <class D>
 constexpr bool has_arc = std::is_same_v<D, RR>;
 
@@ -180,7 +184,7 @@ double condition_of(const TurnedTask& task, const AxesAt& x) {
   if constexpr (has_arc<D>) J.col(4).setConstant(-1);
   const Eigen::VectorXd stretch = Eigen::JacobiSVD<Eigen::MatrixXd>(J).singularValues();
   const double least = stretch[D::parameters - 1];
-  return least > 0x1p-44 * stretch[0] ? 1 / least : std::numeric_limits<double>::infinity();
+  return least > undetermined * stretch[0] ? 1 / least : std::numeric_limits<double>::infinity();
 }
 
 template AngleErrors angle_errors<RR>(const TurnedTask&, const AxesAt&);

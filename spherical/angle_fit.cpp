@@ -4,7 +4,9 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <type_traits>
+#include <utility>
 
 namespace burmester::spherical {
 namespace {
@@ -19,15 +21,14 @@ typename D::Design design_of(const TurnedTask& task, const AxesAt& x, double arc
     return {fixed, moving_axis(x)};
 }
 
-double half_sum(const TurnedTask& task, const AngleErrors& at) { return task.weights.dot(at.values.cwiseAbs2()) / 2; }
-
-bool finite(const AngleErrors& at) { return at.values.allFinite() && at.slopes.allFinite() && at.bends.allFinite(); }
+/// A sweep squares what is left off the diagonal: five or six do, of any matrix.
+constexpr int most_sweeps = 20;
 
 /// Jacobi's rotations: the symmetric `matrix` becomes diagonal to the rounding of its rows and columns, whatever their
 /// sizes; `modes` times the rotations.
 void diagonalise(Eigen::Matrix4d& matrix, Eigen::Matrix4d& modes) {
   bool more = true;
-  for (int sweep = 0; sweep < 20 && more; ++sweep) {
+  for (int sweep = 0; sweep < most_sweeps && more; ++sweep) {
     more = false;
     for (int p = 0; p < 4; ++p)
       for (int q = p + 1; q < 4; ++q) {
@@ -58,9 +59,12 @@ struct Newton {
     slope = svd.singularValues().cwiseProduct(svd.matrixU().transpose() * turned.head<4>());
     turned.head<4>().setZero();
     across = qr.householderQ() * turned;
-    const Eigen::Matrix4d bend = (at.bends * root.cwiseProduct(across)).reshaped(4, 4);
+    find_modes((at.bends * root.cwiseProduct(across)).reshaped(4, 4), svd.singularValues());
+  }
+  /// From those of the first derivatives to those of the second.
+  void find_modes(const Eigen::Matrix4d& bend, const Eigen::Vector4d& stretch) {
     Eigen::Matrix4d hessian = modes.transpose() * (bend + bend.transpose()) * modes / 2;
-    hessian.diagonal() += svd.singularValues().cwiseAbs2();
+    hessian.diagonal() += stretch.cwiseAbs2();
     Eigen::Matrix4d turns = Eigen::Matrix4d::Identity();
     diagonalise(hessian, turns);
     modes *= turns, slope = (turns.transpose() * slope).eval(), curvature = hessian.diagonal();
@@ -104,60 +108,92 @@ struct Newton {
   Eigen::Vector4d back(double shift) const { return (curvature.array() > shift).select(step(0), 0.0); }
 };
 
+struct Place {
+  AxesAt axes;
+  AngleErrors errors;
+  double value;  ///< half the sum; infinite where errors or derivatives are not finite
+};
+
+template <class D>
+Place place_at(const TurnedTask& task, const AxesAt& axes) {
+  Place out{axes, angle_errors<D>(task, axes), std::numeric_limits<double>::infinity()};
+  const AngleErrors& at = out.errors;
+  if (at.values.allFinite() && at.slopes.allFinite() && at.bends.allFinite())
+    out.value = task.weights.dot(at.values.cwiseAbs2()) / 2;
+  return out;
+}
+
+/// From a place beside a curved valley one step across it, where that is lower.
+template <class D>
+Place on_floor(const TurnedTask& task, Place from, double shift, double radius) {
+  if (!std::isfinite(from.value)) return from;
+  const Newton newton(task, from.errors);
+  const Eigen::Vector4d back = newton.back(shift);
+  if (!(back.norm() < radius)) return from;
+  Place floor = place_at<D>(task, moved(task, from.axes, newton.modes * back));
+  return floor.value < from.value ? floor : from;
+}
+
+/// Whether a place is a minimum. `cut`: the step is shorter than Newton's; where errors are more than rounding, a slope
+/// without curvature goes on.
+template <class D>
+void judge(AngleFit<D>& fit, const TurnedTask& task, const Newton& newton, const Place& here,
+           const Eigen::Vector4d& step, bool cut) {
+  const double noise = 0x1p-50 * task.e * std::sqrt(task.weights.sum());     // of all errors: eight roundings each
+  fit.met = here.value <= 16 * noise * noise;                                // four times that
+  const double unseen = noise * std::max(std::sqrt(here.value), 4 * noise);  // of the sum
+  fit.least = !newton.bends_down(task, here.errors) && (!cut || fit.met) &&
+              newton.gain(step) <= std::max(0x1p-44 * here.value, unseen);
+  fit.sure = newton.bends_up(task, here.errors), fit.known = step.norm();
+}
+
+/// Of steps, in (alpha, beta): the first, and those that rounding of the axes hides.
+constexpr double first_radius = 0.25, least_radius = 0x1p-60;
+
 }  // namespace
 
 template <class D>
 AngleFit<D> nearest_fit(const TurnedTask& task, const AxesAt& start, int steps) {
   AngleFit<D> out;
-  out.axes = start;
-  AngleErrors here = angle_errors<D>(task, start);
-  double value = half_sum(task, here), radius = 0.25, last = 1;
-  const double noise = 0x1p-50 * task.e * std::sqrt(task.weights.sum());  // of the errors
-  for (int i = 0; i < steps && finite(here); ++i) {
-    const Newton newton(task, here);
+  Place here = place_at<D>(task, start);
+  double radius = first_radius, last = 1;
+  for (int i = 0; i < steps && radius >= least_radius && std::isfinite(here.value); ++i) {
+    const Newton newton(task, here.errors);
     const double shift = newton.shift_for(radius);
     const Eigen::Vector4d step = newton.step(shift);
-    const double expected = newton.gain(step);
-    out.met = value <= 16 * noise * noise;
-    // where errors are more than rounding, a step must not be cut: a slope without curvature goes on
-    out.least = !newton.bends_down(task, here) && (shift == 0 || out.met) &&
-                expected <= std::max(0x1p-44 * value, noise * std::max(std::sqrt(value), 4 * noise));
-    out.sure = newton.bends_up(task, here), out.known = step.norm();
+    judge(out, task, newton, here, step, shift > 0);
     if (out.least && !(step.norm() < last / 2)) break;
-    AxesAt next = moved(task, out.axes, newton.modes * step);
-    AngleErrors there = angle_errors<D>(task, next);
-    if (!out.least && finite(there) && !(value - half_sum(task, there) > 0.25 * expected)) {
-      const Newton again(task, there);
-      const Eigen::Vector4d back = again.back(shift);
-      if (back.norm() < radius) {
-        const AxesAt floor = moved(task, next, again.modes * back);
-        AngleErrors on_floor = angle_errors<D>(task, floor);
-        if (half_sum(task, on_floor) < half_sum(task, there)) next = floor, there = std::move(on_floor);
-      }
-    }
-    const double gained = value - half_sum(task, there);
-    // the sum does not show the last steps, they end where they grow no shorter
-    if (out.least || gained > 0) out.axes = next, here = std::move(there), value = half_sum(task, here);
-    if (out.least) {
-      last = step.norm();
+    Place next = place_at<D>(task, moved(task, here.axes, newton.modes * step));
+    if (out.least) {  // the sum does not show the last steps, they end where they grow no shorter
+      if (!std::isfinite(next.value)) break;
+      here = std::move(next), last = step.norm();
       continue;
     }
+    const double expected = newton.gain(step);
+    if (!(here.value - next.value > 0.25 * expected)) next = on_floor<D>(task, std::move(next), shift, radius);
+    const double gained = here.value - next.value;
+    if (gained > 0) here = std::move(next);
     if (!(gained > 0.25 * expected))
       radius = 0.25 * std::min(radius, step.norm());
     else if (gained > 0.75 * expected)
       radius = std::min(1.0, std::max(radius, 2.5 * step.norm()));
-    if (radius < 0x1p-60) break;
   }
-  out.design = design_of<D>(task, out.axes, here.arc);
-  out.sum = 2 * value, out.errors = std::move(here.values);
+  out.axes = here.axes, out.design = design_of<D>(task, here.axes, here.errors.arc);
+  out.sum = 2 * here.value, out.errors = std::move(here.errors.values);
   return out;
 }
+
+/// Rounds of multipliers: each leaves a thousandth, by exact_weight, or less.
+constexpr int most_rounds = 50;
+
+/// Of an error that is met, in units of e: 64 roundings.
+constexpr double met_to = 0x1p-46;
 
 template <class D>
 std::optional<AngleFit<D>> met_exactly(TurnedTask task, const AngleFit<D>& fit, std::span<const Eigen::Index> which,
                                        int steps) {
   AngleFit<D> out = fit;
-  for (int round = 0; round < 50; ++round) {
+  for (int round = 0; round < most_rounds; ++round) {
     double largest = 0, sum = out.sum;
     for (const Eigen::Index j : which) {
       const double error = out.errors[j] + task.shift[j];
@@ -165,7 +201,7 @@ std::optional<AngleFit<D>> met_exactly(TurnedTask task, const AngleFit<D>& fit, 
       sum -= task.weights[j] * out.errors[j] * out.errors[j];
       task.shift[j] -= error;
     }
-    if (out.least && largest <= 0x1p-46 * task.e) {
+    if (out.least && largest <= met_to * task.e) {
       out.sum = sum;
       return out;
     }
@@ -176,7 +212,7 @@ std::optional<AngleFit<D>> met_exactly(TurnedTask task, const AngleFit<D>& fit, 
 
 template <class D>
 bool same_fit(const TurnedTask& task, const AngleFit<D>& x, const AngleFit<D>& y, double same) {
-  same = std::max(same, 8 * (x.known + y.known));
+  same = std::max(same, 8 * (x.known + y.known));  // Newton's last steps: in a row they halve, or are rounding
   const auto near = [](const Eigen::Vector3d& u, const Eigen::Vector3d& v, double tolerance) {
     return std::min((u - v).norm(), (u + v).norm()) <= tolerance;
   };

@@ -2,27 +2,19 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 
 #include "burmester/modules/framework/counted.hpp"
 #include "burmester/modules/framework/curve_report.hpp"
-#include "burmester/modules/framework/local.hpp"
 #include "burmester/spherical/angle_fit.hpp"
-#include "burmester/spherical/five_pose_equations.hpp"
+#include "burmester/spherical/fit_starts.hpp"
 
 namespace burmester::spherical {
 namespace {
-
-/// Points of the half sphere, and how many directions of it are neighbours.
-constexpr int grid_size = 1500;
-const double grid_spacing = std::sqrt(2 * std::numbers::pi / grid_size), neighbourhood = std::cos(1.6 * grid_spacing);
 
 /// Of orientations that are met exactly, the others' largest is 1: multipliers do the rest.
 constexpr double exact_weight = 1000;
@@ -38,114 +30,6 @@ std::vector<double> relative_weights(std::span<const double> weights, std::size_
   return out;
 }
 
-/// A moving axis with its best fixed axis and the next, by planes through its places.
-struct Planes {
-  Eigen::Vector3d moving;
-  std::array<Eigen::Vector3d, 2> fixed;
-  std::array<double, 2> misfit;  ///< weighted squares of the angular errors, in units of e, to first order
-};
-
-/// Seen along a, the places R_j a are a + e s (d_j + e s q_j a), with d_j across a and s the length of the longest.
-/// A plane b . x = cos(arc) leaves b . R_j a - cos(arc) = e k . (d_j, q_j, 1), where k = (s b1, s b2, s^2 e b3, (b3 -
-/// cos(arc)) / e), and (s sin(arc))^2 is k^T N k: the least ratio of the two squares is an eigenvalue (V. Pratt, 1987,
-/// for circles of the plane, which are the limit e = 0).
-template <class D>
-Planes planes(const TurnedTask& task, const Eigen::Vector3d& a) {
-  constexpr int size = std::is_same_v<D, RR> ? 4 : 3;
-  using Square = Eigen::Matrix<double, size, size>;
-  const Eigen::Index n = task.t.cols();
-  const Eigen::Vector3d p = a.unitOrthogonal(), q = a.cross(p);
-  Eigen::Matrix3Xd places(3, n);
-  for (Eigen::Index j = 0; j < n; ++j) {
-    const Eigen::Vector3d t = task.t.col(j), across = t.cross(a),
-                          d = 2 * (task.c[j] * across + task.e * t.cross(across));
-    places.col(j) << d.dot(p), d.dot(q), -2 * across.squaredNorm();
-  }
-  const double s = std::sqrt(places.topRows<2>().colwise().squaredNorm().maxCoeff()), e = task.e * s;
-  Square M = Square::Zero(), N = Square::Identity();
-  for (Eigen::Index j = 0; j < n; ++j) {
-    const Eigen::Vector3d x = places.col(j) / s;
-    Eigen::Matrix<double, size, 1> z;
-    if constexpr (size == 4)
-      z << x[0], x[1], x[2] / s, 1;
-    else
-      z << x[0], x[1], 1 + e * task.e * x[2];
-    M.template selfadjointView<Eigen::Lower>().rankUpdate(z, task.weights[j]);
-  }
-  M = M.template selfadjointView<Eigen::Lower>();
-  if constexpr (size == 4)
-    N.template bottomRightCorner<2, 2>() << 0, 1, 1, -e * e;
-  else
-    N(2, 2) = e * e;
-  M.diagonal().array() += 0x1p-48 * M.trace();  // exact fits make it singular
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Square> ratios(N, M);
-  Planes out{a, {}, {}};
-  for (int i = 0; i < 2; ++i) {
-    const Eigen::Matrix<double, size, 1> k = ratios.eigenvectors().col(size - 1 - i);
-    out.fixed[static_cast<std::size_t>(i)] = k[0] * p + k[1] * q + (size == 4 ? k[2] / e : k[2] * e) * a;
-    out.misfit[static_cast<std::size_t>(i)] = s * s / ratios.eigenvalues()[size - 1 - i];
-  }
-  return out;
-}
-
-/// Every so many points of the grid one is a start whatever its misfit.
-constexpr std::size_t stride = 15;
-
-/// Local minima of the misfits on a Fibonacci grid of the half sphere, its points mapped by `chart`, and some points of
-/// it.
-template <class D>
-void add_scanned(const TurnedTask& task, const Eigen::Matrix3d& chart, std::vector<AxesAt>& starts) {
-  std::vector<Eigen::Vector3d> at;
-  std::vector<Planes> grid;
-  for (int i = 0; i < grid_size; ++i) {
-    const double z = (i + 0.5) / grid_size, r = std::sqrt(1 - z * z),
-                 turn = 2 * std::numbers::pi * i / std::numbers::phi;
-    at.emplace_back(r * std::cos(turn), r * std::sin(turn), z);
-    grid.push_back(planes<D>(task, (chart * at.back()).normalized()));
-  }
-  const auto is_least = [&](std::size_t j, std::size_t i) {
-    for (std::size_t k = 0; k < grid.size(); ++k)
-      if (grid[k].misfit[i] < grid[j].misfit[i] && std::abs(at[k].dot(at[j])) >= neighbourhood) return false;
-    return true;
-  };
-  for (std::size_t j = 0; j < grid.size(); ++j)
-    for (std::size_t i = 0; i < 2; ++i)
-      if ((j % stride == 0 && j / stride % 2 == i) || is_least(j, i))
-        starts.push_back(axes_at(grid[j].fixed[i], grid[j].moving));
-}
-
-/// Turns nearer than this to one axis: dyads are sought near that, too.
-constexpr double nearly_one_axis = 0.1;
-
-/// Charts of the moving axis: all directions alike; where the turns are about nearly one axis z, those as near to z as
-/// they are, too: the limit of their dyads are those of the plane ((4) of five_pose_equations.hpp).
-std::vector<Eigen::Matrix3d> charts(const TurnedTask& task) {
-  std::vector<Eigen::Matrix3d> out{Eigen::Matrix3d::Identity()};
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> spread(task.t * task.t.transpose());
-  const Eigen::Vector3d z = spread.eigenvectors().col(2);
-  double away = 0;
-  for (Eigen::Index j = 0; j < task.t.cols(); ++j) away = std::max(away, z.cross(task.t.col(j)).norm());
-  if (away > 0 && away < nearly_one_axis)
-    out.push_back(spread.eigenvectors() * Eigen::Vector3d(away, away, 1).asDiagonal());
-  return out;
-}
-
-/// The dyads nearest to the singular vectors of the lifted rows, in scaled coordinates.
-template <class D>
-void add_lifted(const TurnedTask& task, std::vector<AxesAt>& starts) {
-  Eigen::MatrixXd rows(task.rows.rows(), 10);
-  const double e = task.e;
-  rows << task.rows, Eigen::VectorXd::Ones(task.rows.rows());
-  rows = task.weights.cwiseSqrt().asDiagonal() * rows;
-  const Eigen::MatrixXd v = Eigen::JacobiSVD<Eigen::MatrixXd>(rows, Eigen::ComputeFullV).matrixV();
-  for (Eigen::Index i = 0; i < 10; ++i) {
-    const Lifted k = v.col(i).head<9>();
-    const ScaledDyad x = scaled_dyad(k, e);
-    const AxesAt axes = axes_at(x.m - e * x.h, x.m + e * x.h);
-    if (axes.frame.allFinite()) starts.push_back(axes);
-  }
-}
-
 /// Steps from one start: heavy orientations leave narrow curved valleys.
 constexpr int steps = 500;
 
@@ -159,21 +43,27 @@ void add_fit(const TurnedTask& task, std::vector<AngleFit<D>>& fits, const Angle
     fits.push_back(found);
 }
 
-/// How much less than the sums of all minima another place must have, to be listed though it is not surely one.
+/// By so much of itself the sum of another place must be less than those of all minima, to be listed though it is not
+/// surely one: where steps end beside a minimum is not.
 constexpr double less_by = 1e-6;
 
-/// Once each: the places that surely are minima or meet the orientations; and the lowest of all, where that is neither.
+/// Surely a minimum, or the orientations are met to rounding.
+template <class D>
+bool isolated(const AngleFit<D>& f) {
+  return f.least && (f.sure || f.met);
+}
+
+/// Once each: the isolated places; and the lowest of all, where that is not, or was not reached.
 template <class D>
 std::vector<AngleFit<D>> fits_from(std::vector<AxesAt> starts, const TurnedTask& task) {
-  add_lifted<D>(task, starts);
-  for (const Eigen::Matrix3d& chart : charts(task)) add_scanned<D>(task, chart, starts);
+  for (const AxesAt& start : fit_starts<D>(task)) starts.push_back(start);
   std::vector<AngleFit<D>> out;
   std::optional<AngleFit<D>> lowest;
   double least = std::numeric_limits<double>::infinity();
   for (const AxesAt& start : starts) {
     const AngleFit<D> found = nearest_fit<D>(task, start, steps);
     if (!found.axes.frame.allFinite() || !std::isfinite(found.sum)) continue;
-    if (found.least && (found.sure || found.met))
+    if (isolated(found))
       add_fit(task, out, found), least = std::min(least, found.sum);
     else if (!lowest || found.sum < lowest->sum)
       lowest = found;
@@ -195,31 +85,41 @@ std::vector<AngleFit<D>> with_exact(const TurnedTask& task, std::vector<AngleFit
   return out;
 }
 
-/// Condition of what is not isolated to rounding.
+/// Condition of what is not isolated to rounding, or not reached.
 constexpr double not_isolated = std::numeric_limits<double>::infinity();
 
-/// Least sum of squares first.
-template <class D>
-std::vector<Found<typename D::Design>> best(std::span<const Pose> poses, std::span<const double> weights) {
+/// Those with a weight, from the heaviest.
+TurnedTask seen_from_heaviest(std::span<const Pose> poses, std::span<const double> weights) {
   std::vector<double> relative;
-  std::vector<Pose> seen;  // those with a weight, from the heaviest
+  std::vector<Pose> seen;
   const std::vector<double> all = relative_weights(weights, poses.size());
   for (std::size_t j = 0; j < poses.size(); ++j)
     if (all[j] > 0) relative.push_back(all[j]), seen.push_back(poses[j]);
   const auto heaviest = std::max_element(relative.begin(), relative.end()) - relative.begin();
   std::swap(seen[0], seen[static_cast<std::size_t>(heaviest)]);
   std::swap(relative[0], relative[static_cast<std::size_t>(heaviest)]);
-  const TurnedTask task = turned_task(seen, relative);
-  std::vector<AxesAt> starts;
-  // with uneven weights the fits with equal ones are starts too: what all orientations meet is found there
-  const std::vector<double> equal = relative_weights(relative, seen.size(), 1);
-  if (relative != relative_weights(relative, seen.size(), 1 / uneven_ratio))
-    for (const auto& f : fits_from<D>({}, turned_task(seen, equal))) starts.push_back(f.axes);
-  std::vector<AngleFit<D>> fits = with_exact(task, fits_from<D>(std::move(starts), task));
+  return turned_task(seen, relative);
+}
+
+/// With uneven weights the fits with equal ones are starts: what all orientations meet is found there.
+template <class D>
+std::vector<AxesAt> further_starts(TurnedTask task) {
+  std::vector<AxesAt> out;
+  if (!(task.weights.minCoeff() * uneven_ratio < task.weights.maxCoeff())) return out;
+  task.weights.setOnes();
+  for (const auto& f : fits_from<D>({}, task)) out.push_back(f.axes);
+  return out;
+}
+
+/// Least sum of squares first.
+template <class D>
+std::vector<Found<typename D::Design>> best(std::span<const Pose> poses, std::span<const double> weights) {
+  const TurnedTask task = seen_from_heaviest(poses, weights);
+  std::vector<AngleFit<D>> fits = with_exact(task, fits_from<D>(further_starts<D>(task), task));
   std::sort(fits.begin(), fits.end(), [](const auto& a, const auto& b) { return a.sum < b.sum; });
   std::vector<Found<typename D::Design>> out;
   for (const AngleFit<D>& f : fits) {
-    const double condition = f.sure || f.met ? condition_of<D>(task, f.axes) : not_isolated;
+    const double condition = isolated(f) ? condition_of<D>(task, f.axes) : not_isolated;
     out.push_back({f.design, largest_residual<D>(f.design, poses), condition, {}, {}, {}});
   }
   return out;

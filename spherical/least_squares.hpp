@@ -1,17 +1,12 @@
 // More orientations than a dyad can meet: the dyads, and the slider, that come nearest to them.
 //
-// Sought are the local minima of the sum of squares of the angular errors arc - angle(b, Q_j a), each times the
-// weight of its orientation. Starts come from two sides: the rows of the lifted equations (angle_errors.hpp), whose
-// singular vectors are decoded to dyads, and a scan. For a given moving axis a the places Q_j a are points of the
-// sphere, and the plane that fits them best (through the centre for a slider) gives the fixed axis b and the arc; so
-// what is left is a function of a alone. Its local minima on a grid of the half sphere are starts, those with the
-// second best plane too, and some further points of the grid. All this is scaled by the size of the turns from one
-// orientation to another, so that close ones are like any others, and done once more near the axis of turns that are
-// all about nearly one. Each start is refined by Newton steps (angle_fit.hpp); listed are places that surely are
-// minima, and a lower one that is not isolated to rounding, with an infinite condition. Weights over 100 to 1 make
-// starts of the fits with equal ones, too. Only the ratios of weights matter, up to largest_weight_ratio; orientations
-// of infinite weight are met exactly. The slider by the smallest singular vectors alone is what J. Angeles, S. Bai, "A
-// robust solution of the spherical Burmester problem", print for their example 2.
+// Sought are the local minima of the sum of squares of the angular errors arc - angle(b, Q_j a), each times the weight
+// of its orientation. Starts come from linear algebra (fit_starts.hpp), each is refined by Newton steps
+// (angle_fit.hpp); listed are places that surely are minima, and a lower one that is not isolated to rounding or was
+// not reached, with an infinite condition. Weights over 100 to 1 make starts of the fits with equal ones, too. Only the
+// ratios of weights matter, up to largest_weight_ratio; orientations of infinite weight are met exactly. The slider by
+// the smallest singular vectors alone is what J. Angeles, S. Bai, "A robust solution of the spherical Burmester
+// problem", print for their example 2.
 #pragma once
 
 #include <limits>
@@ -23,8 +18,8 @@
 
 namespace burmester::spherical {
 
-/// Largest weight over the smallest that is not zero up to which all is well. Smaller weights are raised to that, and a
-/// report says so: in doubles what heavier orientations leave of the errors would hide their effect.
+/// Largest finite weight over the smallest that is not zero up to which all is well. Smaller weights are raised to
+/// that, and a report says so: in doubles what heavier orientations leave of the errors would hide their effect.
 inline constexpr double largest_weight_ratio = 1e9;
 
 /// Weight of an orientation that is met exactly: the errors of the others are least among the dyads that do so. Up to
