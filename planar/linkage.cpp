@@ -83,12 +83,14 @@ double length_tolerance(const LinkageRecord& l, const AnyDyad& a, const AnyDyad&
   return error;
 }
 
-LinkageRecord link(const AnyDyad& a, const AnyDyad& b, std::string type, double task_size) {
+std::optional<LinkageRecord> link(const AnyDyad& a, const AnyDyad& b, std::string type, double task_size) {
   LinkageRecord l;
   l.type = std::move(type);
   l.ground = between(fixed_pivot(a), fixed_pivot(b));
   l.input = length_of(a);
   l.coupler = between(moving_pivot(a), moving_pivot(b));
+  // a given pivot stands in its dyads as it was given
+  if (may_be_one(l.ground, a, b) || may_be_one(l.coupler, a, b)) return std::nullopt;
   l.output = length_of(b);
   const auto on_ground = ground_offset(a, b), on_coupler = coupler_offset(a, b);
   l.offset = on_ground ? on_ground : on_coupler;

@@ -22,7 +22,8 @@ inline constexpr std::array four_bar_classes{"crank-rocker",  "rocker-crank",  "
 /// One of them; change-point where shortest + longest equals the sum of the others to within `tolerance`, a length.
 std::string four_bar_class(double ground, double input, double coupler, double output, double tolerance);
 
-/// All pairs of the dyads that make a linkage, numbered from 1; dyad ids are places in `dyads`, from 1.
+/// All pairs of the dyads that make a linkage, none with a pivot in common, numbered from 1; dyad ids are places in
+/// `dyads`, from 1.
 std::vector<LinkageRecord> linkages_of(const std::vector<Found<Dyads::Design>>& dyads, double task_size);
 
 }  // namespace burmester::planar

@@ -30,29 +30,64 @@ Vector3 common_direction(std::span<const Vector3> all) {
   return sum > 0 ? Vector3((v + off / sum).normalized()) : v;
 }
 
-/// From orientations that bring an axis of S to one place where it is in i and j, and to one in the others (i = j: four
-/// others).
-double distance_from_two_places(const Turns& turns, std::size_t i, std::size_t j) {
-  const double apart = i == j ? 1 : 2;
-  std::array<Vector3, 10> within;
-  std::size_t count = 0;
-  for (std::size_t k = 0; k < 5; ++k)
-    for (std::size_t l = k + 1; l < 5; ++l) {
-      const bool first = k == i || k == j, second = l == i || l == j;
-      if (first == second) within[count++] = turns[k][l] / std::sqrt(first ? apart : 5 - apart);
-    }
-  const std::span<const Vector3> all(within.data(), count);
-  const Vector3 v = common_direction(all);
-  double square = 0;  // not from the small eigenvalues, which have half of the digits
-  for (const Vector3& s : all) square += s.cross(v).squaredNorm();
-  return std::sqrt(square);
+/// The turns within two groups of orientations, over the roots of the sizes of the groups: how far these are from
+/// bringing an axis of S to one place in each.
+class Groups {
+ public:
+  Groups() = default;
+  /// {i, j} and the other three; i = j: {i} and the other four.
+  Groups(const Turns& turns, std::size_t i, std::size_t j) {
+    const double apart = i == j ? 1 : 2;
+    Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+    for (std::size_t k = 0; k < 5; ++k)
+      for (std::size_t l = k + 1; l < 5; ++l) {
+        const bool first = k == i || k == j, second = l == i || l == j;
+        if (first != second) continue;
+        within_[count_] = turns[k][l] / std::sqrt(first ? apart : 5 - apart);
+        moments += within_[count_] * within_[count_].transpose(), ++count_;
+      }
+    const double trace = moments.trace(), minors = (trace * trace - moments.squaredNorm()) / 2;
+    square_at_least_ = trace > 0 ? minors / trace - 0x1p-48 * trace : 0;
+  }
+  double distance() const {
+    const std::span<const Vector3> all(within_.data(), count_);
+    const Vector3 v = common_direction(all);
+    double square = 0;  // not from the small eigenvalues, which have half of the digits
+    for (const Vector3& s : all) square += s.cross(v).squaredNorm();
+    return std::sqrt(square);
+  }
+  /// Of eigenvalues x >= y >= z, x y + x z + y z <= (x + y + z) (y + z): below the square of the distance by more than
+  /// rounding.
+  double square_at_least() const { return square_at_least_; }
+
+ private:
+  std::array<Vector3, 6> within_;
+  std::size_t count_ = 0;
+  double square_at_least_ = 0;
+};
+
+/// Of few of them more than the bound is needed.
+template <std::size_t n>
+double least_distance(const std::array<Groups, n>& all) {
+  const auto nearest = std::ranges::min_element(all, {}, &Groups::square_at_least);
+  double least = nearest->distance();
+  for (auto groups = all.begin(); groups != all.end(); ++groups)
+    if (groups != nearest && groups->square_at_least() <= least * least) least = std::min(least, groups->distance());
+  return least;
+}
+
+double distance_from_four_and_one(const Turns& turns) {
+  std::array<Groups, 5> all;
+  for (std::size_t i = 0; i < 5; ++i) all[i] = Groups(turns, i, i);
+  return least_distance(all);
 }
 
 double distance_from_three_and_two(const Turns& turns) {
-  double least = 2;
+  std::array<Groups, 10> all;
+  auto to = all.begin();
   for (std::size_t i = 0; i < 5; ++i)
-    for (std::size_t j = i + 1; j < 5; ++j) least = std::min(least, distance_from_two_places(turns, i, j));
-  return least;
+    for (std::size_t j = i + 1; j < 5; ++j) *to++ = Groups(turns, i, j);
+  return least_distance(all);
 }
 
 }  // namespace
@@ -62,9 +97,8 @@ NearDegeneracy axis_in_two_places(FivePoses poses) {
   for (std::size_t i = 0; i < 5; ++i)
     inverse[i] = Space::pose(Space::conjugate<double>(Space::point<double>(poses[i])));
   const Turns of_S = turns_between(poses), of_E = turns_between(inverse);
-  double four = 2;
-  for (std::size_t i = 0; i < 5; ++i) four = std::min(four, distance_from_two_places(of_S, i, i));
-  const double moving = distance_from_three_and_two(of_E), fixed = distance_from_three_and_two(of_S);
+  const double four = distance_from_four_and_one(of_S), moving = distance_from_three_and_two(of_E),
+               fixed = distance_from_three_and_two(of_S);
   NearDegeneracy out{Degeneracy::none, std::min({four, moving, fixed})};
   if (four <= same_tolerance)
     out.kind = Degeneracy::rank_deficient;

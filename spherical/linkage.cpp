@@ -15,6 +15,8 @@ namespace {
 using AnyDyad = Found<Dyads::Design>;
 
 constexpr double right_angle = std::numbers::pi / 2;
+/// Of the arc between two given axes: each was normalised, and their cross product takes more roundings.
+constexpr double axis_rounding = 8 * unit_roundoff;
 
 std::array<double, 4> excesses(double g, double a, double h, double b) {
   return {g - a + h - b, g - a - h + b, h + b - g - a, 4 * right_angle - g - a - h - b};
@@ -47,12 +49,14 @@ double arc_tolerance(const AnyDyad& a, const AnyDyad& b) {
   return error;
 }
 
-LinkageRecord link(const AnyDyad& a, const AnyDyad& b, std::string type) {
+std::optional<LinkageRecord> link(const AnyDyad& a, const AnyDyad& b, std::string type) {
   const Shown first = shown(a), second = shown(b);
   const double ground = Space::distance(first.fixed, second.fixed), tolerance = arc_tolerance(a, b);
   LinkageRecord l;
   l.type = std::move(type);
   l.coupler = Space::distance(first.moving, second.moving);
+  for (const double arc : {ground, *l.coupler})
+    if (may_be_one(std::min(arc, 2 * right_angle - arc), a, b, axis_rounding)) return std::nullopt;
   if (first.slider) {
     l.motion_class = "double slider";
     return l;

@@ -23,7 +23,8 @@ namespace burmester::spherical {
 /// of T1 .. T4 is 0 to within `tolerance`). Arcs in radians, in [0, pi].
 std::string four_bar_class(double ground, double input, double coupler, double output, double tolerance);
 
-/// All pairs of the dyads, numbered from 1; dyad ids are places in `dyads`, from 1.
+/// All pairs of the dyads that make a linkage, none with an axis in common, numbered from 1; dyad ids are places in
+/// `dyads`, from 1.
 std::vector<LinkageRecord> linkages_of(const std::vector<Found<Dyads::Design>>& dyads);
 
 }  // namespace burmester::spherical

@@ -359,6 +359,7 @@ class GivenPivots {
     const auto met = [&](const auto& found) { return tells && found.residual <= rounding; };
     if (std::any_of(fits.begin(), fits.end(), met))
       std::erase_if(fits, [&](const auto& found) { return !met(found); }), ++met_;
+    if (!fits.empty()) fitted_.push_back(body);
     for (auto& found : fits) report_.dyads.push_back(std::move(found));
   }
 
@@ -393,6 +394,9 @@ class GivenPivots {
           "{} poses and {}: {}", n, some_given,
           exact ? "met but for rounding"
                 : "more conditions than unknowns; the best fits over circles and lines, with their residuals");
+      if (fitted_.size() == 1 && count > 1)
+        report_.message += fmt::format("; all these dyads share the given {} {}: no two of them make a linkage",
+                                       name_of(fitted_[0]), G::pivot);
     }
     for (const std::string& reason : undetermined_) report_.message += "; " + reason;
   }
@@ -401,6 +405,7 @@ class GivenPivots {
   std::span<const Pose> poses_;
   Report<Dyads> report_;
   std::vector<std::string> undetermined_;
+  std::vector<Body> fitted_;  // of the given pivots with fits
   std::size_t given_ = 0, met_ = 0;
   int dimension_ = 0;  // of the dyads of two or three poses
 };

@@ -137,7 +137,7 @@ TEST(Linkages, WithTwoSliders) {
 
 TEST(Linkages, AreNumberedPairs) {
   const std::vector<AnyDyad> dyads{rr({0, 0}, {0, 0}, 1), rr({1, 0}, {1, 1}, 1), rr({2, 0}, {2, 5}, 1),
-                                   pr({0, 0}, {0, 1}, 0)};
+                                   pr({0, 3}, {0, 1}, 0)};
   const auto all = linkages_of(dyads, 1);
   ASSERT_EQ(all.size(), 6u);
   const int expected[6][2] = {{1, 2}, {1, 3}, {1, 4}, {2, 3}, {2, 4}, {3, 4}};
@@ -146,6 +146,24 @@ TEST(Linkages, AreNumberedPairs) {
     EXPECT_EQ(all[i].dyads[0], expected[i][0]);
     EXPECT_EQ(all[i].dyads[1], expected[i][1]);
   }
+}
+
+// With a common moving pivot the body is free, with a common fixed one it turns about it.
+TEST(Linkages, HaveNoPivotInCommon) {
+  const auto pairs = [](const AnyDyad& a, const AnyDyad& b) { return linkages_of({a, b}, 1).size(); };
+  EXPECT_EQ(pairs(rr({0, 0}, {1, 2}, 1), rr({3, 0}, {1, 2}, 2)), 0u);
+  EXPECT_EQ(pairs(rr({0, 0}, {1, 2}, 1), pr({1, 2}, {0, 1}, 4)), 0u);
+  EXPECT_EQ(pairs(pr({1, 2}, {1, 0}, 0), pr({1, 2}, {0, 1}, 4)), 0u);
+  EXPECT_EQ(pairs(rr({3, 0}, {1, 2}, 1), rr({3, 0}, {5, 2}, 2)), 0u);
+  EXPECT_EQ(pairs(rr({3, 0}, {1, 2}, 1), rp({3, 0}, {0, 1}, 4)), 0u);
+  EXPECT_EQ(pairs(rp({3, 0}, {1, 0}, 0), rp({3, 0}, {0, 1}, 4)), 0u);
+  EXPECT_EQ(pairs(rr({1, 2}, {3, 0}, 1), rr({3, 0}, {1, 2}, 2)), 1u);  // one number, two pivots
+  AnyDyad a = rr({3, 0}, {1, 2}, 1), b = rr({3 + 1e-12, 0}, {5, 2}, 2);
+  EXPECT_EQ(pairs(a, b), 1u);
+  a.certificate = b.certificate = {true, 6e-13, Rung::intervals};
+  EXPECT_EQ(pairs(a, b), 0u);
+  a.certificate.radius = 3e-13;
+  EXPECT_EQ(pairs(a, b), 1u);
 }
 
 // An ill-conditioned change-point linkage is one as far as its data tell.

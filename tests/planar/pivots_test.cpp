@@ -353,6 +353,29 @@ TEST(GivenPivots, PartnersOfEachOtherAreListedOnce) {
   EXPECT_EQ(solve(circle, {{0, 0}}, {{0, 0}}).counts.real, 1);
 }
 
+TEST(GivenPivots, DyadsThatShareOneMakeNoLinkage) {
+  Random random("GivenPivots.DyadsThatShareOneMakeNoLinkage");
+  const Poses poses = random_poses(random, 5);
+  const std::string none = "; all these dyads share the given ";
+  for (const auto& [report, body] :
+       {std::pair{solve(poses, {{5, 0}}), "fixed"}, {solve(poses, {}, {{5, 0}}), "moving"}}) {
+    EXPECT_EQ(report.dyads.size(), 2u) << body;
+    EXPECT_TRUE(linkages_of(report.dyads, 1).empty()) << body;
+    EXPECT_NE(report.message.find(none + body + " pivot: no two of them make a linkage"), std::string::npos)
+        << report.message;
+  }
+  const auto two = solve(poses, {{5, 0}}, {{1, 2}});
+  EXPECT_EQ(two.message.find(none), std::string::npos) << two.message;
+  EXPECT_EQ(linkages_of(two.dyads, 1).size(), 4u);
+
+  // The body's point at the pole (1, 2) of poses 1 and 2 has all centres on the bisector of its two places.
+  const Poses three{pose_from_degrees(0, 0, 0), pose_from_degrees(2, 4, 180), pose_from_degrees(-2, 6, 90)};
+  const auto at_pole = solve(three, {{-1.5, 4.5}, {2.5, 8.5}});
+  ASSERT_EQ(at_pole.dyads.size(), 2u);
+  EXPECT_TRUE(linkages_of(at_pole.dyads, task_size(three)).empty());
+  EXPECT_EQ(linkages_of(solve(three, {{-1.5, 4.5}, {2.5, 9}}).dyads, task_size(three)).size(), 1u);
+}
+
 TEST(GivenPivots, RoundingOfAFarPivotProvesNothing) {
   Random random("GivenPivots.RoundingOfAFarPivotProvesNothing");
   const Poses poses = random_poses(random, 4);

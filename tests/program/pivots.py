@@ -117,6 +117,13 @@ class Pivots(ProgramTest):
         document = self.answer(problem(POSES, fixed=[[5, 0]], moving=[[0, 0]]))
         self.assertEqual(document["status"], "approximate")
         self.assertEqual(sorted(d["type"] for d in document["dyads"]), ["PR", "RP", "RR", "RR"])
+        by_id = {d["id"]: d for d in document["dyads"]}
+        self.assertEqual(len(document["linkages"]), 4)
+        for one, other in ([by_id[k] for k in linkage["dyads"]] for linkage in document["linkages"]):
+            self.assertFalse(any(body in one and one[body] == other.get(body) for body in ("fixed", "moving")))
+        alone = self.answer(problem(POSES, fixed=[[5, 0]]))
+        self.assertEqual(alone["linkages"], [])
+        self.assertIn("all these dyads share the given fixed pivot: no two of them make a linkage", alone["message"])
         circle = [[3 * math.cos(t) + 1, 3 * math.sin(t), a] for t, a in ((0, 5), (1, 30), (2, 80), (2.5, 10), (4, 0))]
         met = self.answer(problem(circle, moving=[[0, 0]]))
         self.shape(met, "exact", 0, 1)

@@ -112,6 +112,25 @@ TEST(SphericalLinkages, ArcsBelongToTheAxesShown) {
     }
 }
 
+TEST(SphericalLinkages, HaveNoAxisInCommon) {
+  const auto pairs = [](const Dyads::Design& a, const Dyads::Design& b) {
+    return linkages_of({{a, 0, {}, {}, {}, {}}, {b, 0, {}, {}, {}, {}}}).size();
+  };
+  Random random("SphericalLinkages.HaveNoAxisInCommon");
+  for (int i = 0; i < 100; ++i) {
+    const Axis f = Space::random_feature(random), m = Space::random_feature(random), n = Space::random_feature(random);
+    const double scale = random.uniform(0.1, 10);  // another length and direction of the same axis
+    const Axis same_f = Axis(-scale * f).normalized(), same_m = Axis(-scale * m).normalized();
+    EXPECT_EQ(pairs(RR::Design{f, m, 1.1}, RR::Design{same_f, n, 0.4}), 0u) << i;
+    EXPECT_EQ(pairs(RR::Design{f, m, 1.1}, PR::Design{same_f, n}), 0u) << i;
+    EXPECT_EQ(pairs(RR::Design{f, m, 1.1}, RR::Design{n, same_m, 1.8}), 0u) << i;
+    EXPECT_EQ(pairs(PR::Design{f, m}, PR::Design{n, same_m}), 0u) << i;
+    EXPECT_EQ(pairs(RR::Design{f, m, 1.1}, RR::Design{m, n, 0.4}), 1u) << i;
+    const Axis near_f = f + 1e-14 * m.cross(f).normalized();
+    EXPECT_EQ(pairs(RR::Design{f, m, 1.1}, RR::Design{near_f, n, 0.4}), 1u) << i;
+  }
+}
+
 TEST(SphericalLinkages, ASliderCrankThroughAChangePointIsOneInEveryFrame) {
   Random random("SphericalLinkages.ASliderCrankThroughAChangePointIsOneInEveryFrame");
   const auto at = [](double angle) { return Axis(std::sin(angle), 0, std::cos(angle)); };

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "burmester/spherical/linkage.hpp"
+
 namespace burmester::spherical {
 namespace {
 
@@ -49,6 +51,25 @@ TEST(GivenAxes, AnglesFromThePartnerAreEqual) {
       for (const Pose& pose : poses)
         EXPECT_NEAR(Space::distance(d.fixed, placed(pose, d.moving)), d.arc, 1e-13 * *report.dyads[0].condition) << i;
     }
+  }
+}
+
+TEST(GivenAxes, DyadsThatShareOneMakeNoLinkage) {
+  Random random("GivenAxes.DyadsThatShareOneMakeNoLinkage");
+  const std::string none = "; all these dyads share the given ";
+  for (int i = 0; i < 20; ++i) {
+    const Poses poses = random_poses(random, 4 + i % 3);
+    const std::vector<double> a = shown(Space::random_feature(random)), b = shown(Space::random_feature(random)),
+                              longer = {-3 * b[0], -3 * b[1], -3 * b[2]};
+    for (const auto& [report, body] : {std::pair{solve(poses, {a}), "fixed"}, {solve(poses, {}, {a}), "moving"}}) {
+      EXPECT_EQ(report.dyads.size(), 2u) << i;
+      EXPECT_TRUE(linkages_of(report.dyads).empty()) << i;
+      EXPECT_NE(report.message.find(none + body + " axis: no two of them make a linkage"), std::string::npos) << i;
+    }
+    const auto two = solve(poses, {a}, {b});
+    EXPECT_EQ(two.message.find(none), std::string::npos) << two.message;
+    EXPECT_EQ(linkages_of(two.dyads).size(), 4u) << i;
+    EXPECT_TRUE(linkages_of(solve(poses, {b, longer}).dyads).empty()) << i;
   }
 }
 
