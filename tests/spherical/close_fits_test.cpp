@@ -196,7 +196,7 @@ TEST(CloseFits, AllMinimaThatManyRandomStartsFindAreListed) {
       for (const auto& fit : from_random_starts<PR>(random, task, 30)) EXPECT_GE(fit.sum, (1 - 1e-9) * best.sum);
     }
   EXPECT_GT(minima, 60);
-  EXPECT_LE(missed, minima / 100);
+  EXPECT_EQ(missed, 0);
 }
 
 // ---- Valleys ----
@@ -238,7 +238,7 @@ void expect_isolated_minima(std::span<const Pose> poses) {
 TEST(CloseFits, ValleysListTheirMinimaOnceAndNothingElse) {
   Random random("CloseFits.ValleysListTheirMinimaOnceAndNothingElse");
   for (const double flat : {1e-4, 1e-6})  // the sum changes along a valley by its square, relative to across
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < 2; ++i) {
       SCOPED_TRACE(testing::Message() << "flat " << flat << ", " << i);
       expect_isolated_minima(nearly_coaxial(random, flat));
       expect_isolated_minima(two_clusters(random, flat));
