@@ -52,11 +52,15 @@ std::vector<Vector3> turns_among(std::span<const Pose> poses) {
   return out;
 }
 
-/// "(0, 0, 1)", the axis of the rotation from the first pose to the second; what rounding made of a zero is 0.
+/// "(0, 0, 1)", the axis of the rotation from the first pose to the second; what turns that leave it by same_tolerance
+/// make of a zero is 0.
 std::string common_axis(std::span<const Pose> poses) {
-  Vector3 v = common_direction(turns_among(poses));
+  const std::vector<Vector3> turns = turns_among(poses);
+  double size = 0;
+  for (const Vector3& s : turns) size = std::hypot(size, s.norm());
+  Vector3 v = common_direction(turns);
   if (v.dot(half_angle_sine(poses[0], poses[1])) < 0) v = -v;
-  for (double& x : v) x = std::abs(x) <= same_tolerance ? 0 : x;
+  for (double& x : v) x = std::abs(x) * size <= same_tolerance ? 0 : x;
   return fmt::format("({:.6g}, {:.6g}, {:.6g})", v[0], v[1], v[2]);
 }
 
