@@ -21,7 +21,7 @@ namespace burmester::spherical {
 
 enum class Degeneracy {
   none,                ///< of none of these kinds, or not proved
-  equal_orientations,  ///< two orientations are equal: in effect four, curves of dyads
+  equal_orientations,  ///< two orientations are equal: in effect fewer, of five four, with curves of dyads
   one_axis,            ///< all rotate about one axis: every axis with that one
   rank_deficient,      ///< the four conditions on b (x) a are dependent: four orientations rotate about one axis
   // Beside each of those below there may be other dyads.
