@@ -1,10 +1,15 @@
 #include "burmester/spherical/degeneracy.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <span>
+#include <vector>
+
+#include "burmester/modules/framework/equal_poses.hpp"
+#include "burmester/spherical/exact_orientations.hpp"
 
 namespace burmester::spherical {
 namespace {
@@ -30,6 +35,35 @@ Vector3 common_direction(std::span<const Vector3> all) {
   return sum > 0 ? Vector3((v + off / sum).normalized()) : v;
 }
 
+/// From turns about one axis.
+double distance_from_parallel(std::span<const Vector3> turns) {
+  const Vector3 v = common_direction(turns);
+  double square = 0;  // not from the small eigenvalues, which have half of the digits
+  for (const Vector3& s : turns) square += s.cross(v).squaredNorm();
+  return std::sqrt(square);
+}
+
+/// Between all pairs of n orientations, over sqrt(n).
+std::vector<Vector3> turns_among(std::span<const Pose> poses) {
+  std::vector<Vector3> out;
+  for (std::size_t i = 0; i < poses.size(); ++i)
+    for (std::size_t j = i + 1; j < poses.size(); ++j)
+      out.push_back(half_angle_sine(poses[i], poses[j]) / std::sqrt(static_cast<double>(poses.size())));
+  return out;
+}
+
+/// "(0, 0, 1)", the axis of the rotation from the first pose to the second; what turns that leave it by same_tolerance
+/// make of a zero is 0.
+std::string common_axis(std::span<const Pose> poses) {
+  const std::vector<Vector3> turns = turns_among(poses);
+  double size = 0;
+  for (const Vector3& s : turns) size = std::hypot(size, s.norm());
+  Vector3 v = common_direction(turns);
+  if (v.dot(half_angle_sine(poses[0], poses[1])) < 0) v = -v;
+  for (double& x : v) x = std::abs(x) * size <= same_tolerance ? 0 : x;
+  return fmt::format("({:.6g}, {:.6g}, {:.6g})", v[0], v[1], v[2]);
+}
+
 /// The turns within two groups of orientations, over the roots of the sizes of the groups: how far these are from
 /// bringing an axis of S to one place in each.
 class Groups {
@@ -49,13 +83,7 @@ class Groups {
     const double trace = moments.trace(), minors = (trace * trace - moments.squaredNorm()) / 2;
     square_at_least_ = trace > 0 ? minors / trace - 0x1p-48 * trace : 0;
   }
-  double distance() const {
-    const std::span<const Vector3> all(within_.data(), count_);
-    const Vector3 v = common_direction(all);
-    double square = 0;  // not from the small eigenvalues, which have half of the digits
-    for (const Vector3& s : all) square += s.cross(v).squaredNorm();
-    return std::sqrt(square);
-  }
+  double distance() const { return distance_from_parallel({within_.data(), count_}); }
   /// Of eigenvalues x >= y >= z, x y + x z + y z <= (x + y + z) (y + z): below the square of the distance by more than
   /// rounding.
   double square_at_least() const { return square_at_least_; }
@@ -107,6 +135,46 @@ NearDegeneracy axis_in_two_places(FivePoses poses) {
   else if (out.distance <= same_tolerance)
     out.kind = moving < fixed ? Degeneracy::moving_on_circle : Degeneracy::fixed_on_circle;
   return out;
+}
+
+double distance_from_one_axis(std::span<const Pose> poses) { return distance_from_parallel(turns_among(poses)); }
+
+std::string name_degeneracy(Degeneracy what, std::span<const Pose> poses, bool (*same)(const Pose&, const Pose&)) {
+  switch (what) {
+    case Degeneracy::equal_orientations:
+      return name_equal_poses(
+          [&](int i, int j) { return same(poses[static_cast<std::size_t>(i)], poses[static_cast<std::size_t>(j)]); },
+          static_cast<int>(poses.size()));
+    case Degeneracy::one_axis:
+      return fmt::format(
+          "all rotations from one orientation to another have one axis, {}: every moving axis keeps its angle from it, "
+          "and the moving axis that coincides with it keeps its angle from every fixed axis",
+          common_axis(poses));
+    case Degeneracy::rank_deficient:
+      return "the five orientations give fewer than four independent conditions: infinitely many dyads";
+    case Degeneracy::moving_on_circle:
+      return "infinitely many dyads: a moving axis takes only two places, and every fixed axis as far from the one as "
+             "from the other goes with it";
+    case Degeneracy::fixed_on_circle:
+      return "infinitely many dyads: seen from the body a fixed axis takes only two places, and every moving axis as "
+             "far from the one as from the other goes with it";
+    default:
+      return "infinitely many dyads: a moving axis takes only two places, opposite to each other, and so does, seen "
+             "from the body, the fixed axis there; all axes at right angles to the one go with the other";
+  }
+}
+
+std::string degeneracy_of(std::span<const Pose> poses) {
+  bool equal = false, exactly = true;
+  for (std::size_t i = 0; i < poses.size(); ++i)
+    for (std::size_t j = i + 1; j < poses.size(); ++j)
+      if (same_orientation(poses[i], poses[j])) equal = true, exactly = exactly && equal_exactly(poses[i], poses[j]);
+  if (!equal) {
+    if (poses.size() == 2 || !(distance_from_one_axis(poses) <= same_tolerance)) return "";
+    exactly = one_axis_exactly(poses);
+  }
+  const Degeneracy what = equal ? Degeneracy::equal_orientations : Degeneracy::one_axis;
+  return name_degeneracy(what, poses, same_orientation) + (exactly ? "" : ", within rounding");
 }
 
 }  // namespace burmester::spherical

@@ -1,5 +1,5 @@
-// Five orientations with infinitely many dyads: of which kind, told within rounding by how far the orientations are
-// from such.
+// Orientations with more dyads than others of their number: of which kind, told within rounding by how far the
+// orientations are from such.
 //
 // In all kinds but the first an axis takes at most two places: v, of E, is in one place in a group of the five and in
 // another in the rest. Unit quaternions of one group are then p (c + s v), one line of the plane C^2 that right
@@ -8,8 +8,12 @@
 // from i to j: its square is, with an error of the fourth order,
 //     sum over i < j of |s_ij x v|^2 / n.
 // The least sum of both groups over all unit v is that of the two smaller eigenvalues of sum s_ij s_ij^T / n; its root
-// is the distance of five unit quaternions from such. Axes of S: the same of the inverse rotations.
+// is the distance of the unit quaternions from such. Axes of S: the same of the inverse rotations. With all n in one
+// group it is their distance from rotations about one axis.
 #pragma once
+
+#include <span>
+#include <string>
 
 #include "burmester/spherical/five_pose_equations.hpp"
 
@@ -17,7 +21,7 @@ namespace burmester::spherical {
 
 enum class Degeneracy {
   none,                ///< of none of these kinds, or not proved
-  equal_orientations,  ///< two orientations are equal: in effect four, curves of dyads
+  equal_orientations,  ///< two orientations are equal: in effect fewer, of five four, with curves of dyads
   one_axis,            ///< all rotate about one axis: every axis with that one
   rank_deficient,      ///< the four conditions on b (x) a are dependent: four orientations rotate about one axis
   // Beside each of those below there may be other dyads.
@@ -36,5 +40,17 @@ inline constexpr double indistinct_tolerance = 0x1p-33;
 
 /// Four orientations about one axis, or an axis in two places.
 NearDegeneracy axis_in_two_places(FivePoses poses);
+
+/// The least change of the unit quaternions of two to five orientations, all together, that gives rotations about one
+/// axis.
+double distance_from_one_axis(std::span<const Pose> poses);
+
+/// In words. `same`: whether two of the poses count as equal. what: not none.
+std::string name_degeneracy(Degeneracy what, std::span<const Pose> poses, bool (*same)(const Pose&, const Pose&));
+
+/// Why two to four orientations are met by more dyads than others, or by another kind of family: two of them are equal
+/// or, of three or four, all rotate about one axis. "..., within rounding" where the doubles given do so only to
+/// same_tolerance. Empty for all others.
+std::string degeneracy_of(std::span<const Pose> poses);
 
 }  // namespace burmester::spherical

@@ -8,7 +8,6 @@
 
 #include "burmester/modules/framework/condition.hpp"
 #include "burmester/modules/framework/counted.hpp"
-#include "burmester/modules/framework/equal_poses.hpp"
 #include "burmester/spherical/exact_orientations.hpp"
 #include "burmester/spherical/family.hpp"
 #include "burmester/spherical/five_pose_certificate.hpp"
@@ -31,29 +30,6 @@ constexpr const char* undecided =
 constexpr const char* indistinct_warning =
     "two orientations, or axes of the rotations between them, agree almost to within rounding: the answer holds for "
     "the doubles given";
-
-/// `same`: whether two of the poses count as equal.
-std::string name_degeneracy(Degeneracy what, std::span<const Pose> poses, bool (*same)(const Pose&, const Pose&)) {
-  switch (what) {
-    case Degeneracy::equal_orientations:
-      return name_equal_poses(
-          [&](int i, int j) { return same(poses[static_cast<std::size_t>(i)], poses[static_cast<std::size_t>(j)]); });
-    case Degeneracy::one_axis:
-      return "all rotations from one orientation to another have one axis: every moving axis keeps its angle from it, "
-             "and the moving axis that coincides with it keeps its angle from every fixed axis";
-    case Degeneracy::rank_deficient:
-      return "the five orientations give fewer than four independent conditions: infinitely many dyads";
-    case Degeneracy::moving_on_circle:
-      return "infinitely many dyads: a moving axis takes only two places, and every fixed axis as far from the one as "
-             "from the other goes with it";
-    case Degeneracy::fixed_on_circle:
-      return "infinitely many dyads: seen from the body a fixed axis takes only two places, and every moving axis as "
-             "far from the one as from the other goes with it";
-    default:
-      return "infinitely many dyads: a moving axis takes only two places, opposite to each other, and so does, seen "
-             "from the body, the fixed axis there; all axes at right angles to the one go with the other";
-  }
-}
 
 SphericalReport degenerate(std::string message) {
   SphericalReport report;

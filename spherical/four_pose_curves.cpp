@@ -9,8 +9,7 @@
 
 #include "burmester/geometry/paired_curves.hpp"
 #include "burmester/modules/framework/counted.hpp"
-#include "burmester/modules/framework/equal_poses.hpp"
-#include "burmester/spherical/exact_orientations.hpp"
+#include "burmester/spherical/degeneracy.hpp"
 #include "burmester/spherical/four_pose_frames.hpp"
 
 namespace burmester::spherical {
@@ -19,17 +18,6 @@ namespace {
 constexpr double arc_kept = 1e-12;  // radians; some fifty times what rounding leaves of random pairs
 
 constexpr CurveWords words{"great circle", "quadric cone"};
-
-/// The two ways in which every axis becomes a circle axis, told exactly.
-std::string degeneracy_of(FourPoses poses) {
-  const auto same = [&](int i, int j) {
-    return equal_exactly(poses[static_cast<std::size_t>(i)], poses[static_cast<std::size_t>(j)]);
-  };
-  for (int i = 0; i < 4; ++i)
-    for (int j = i + 1; j < 4; ++j)
-      if (same(i, j)) return name_equal_poses(same, 4);
-  return one_axis_exactly(poses) ? "all rotations have one axis" : "";
-}
 
 void list(const std::vector<FoundSlider>& found, SphericalReport& report) {
   for (const auto& [slider, multiplicity] : found) {
@@ -97,13 +85,16 @@ void add_sliders(FourPoses poses, SphericalReport& report) {
 }  // namespace
 
 FourPoseCurves four_pose_curves(FourPoses poses, const CurveOptions& options) {
+  if (std::string why = degeneracy_of(poses); !why.empty()) {
+    FourPoseCurves none;
+    none.topology.reason = std::move(why);
+    return none;
+  }
   const FourPoseFrames task(poses);
   const auto shared = shared_rotation(poses);
-  PairedCurves curves = paired_curves(
+  const PairedCurves curves = paired_curves(
       {[&] { return task.correlations<Interval>(shared); }, [&] { return task.correlations<Rational>(shared); }},
       Surface::sphere, {.tolerance = options.tolerance, .longest = options.longest});
-  if (curves.topology.rung == Rung::none)
-    if (const std::string why = degeneracy_of(poses); !why.empty()) curves.topology.reason = why;
   return curves_in_frames(curves, task);
 }
 

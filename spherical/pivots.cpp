@@ -7,6 +7,7 @@
 
 #include "burmester/modules/framework/result_io.hpp"
 #include "burmester/modules/framework/search.hpp"
+#include "burmester/spherical/degeneracy.hpp"
 #include "burmester/spherical/family.hpp"
 #include "burmester/spherical/five_pose_solver.hpp"
 
@@ -177,9 +178,9 @@ std::vector<std::vector<double>> Pivots::grid(std::span<const Pose>) {
 }
 
 std::optional<PoleRecord> Pivots::pole_of(const Pose& from, const Pose& to) {
+  if (same_orientation(from, to)) return std::nullopt;
   const auto q = rotation_between<double>(Space::point<double>(from), Space::point<double>(to));
   const double sine = q.tail<3>().norm();
-  if (!(sine > 4 * unit_roundoff * q.norm())) return std::nullopt;  // the product, rounded
   const Axis axis = (q[0] < 0 ? -1 : 1) / sine * q.tail<3>();
   const Axis moving = Space::act<double>(back<double>(from), axis).normalized();
   PoleRecord out;
@@ -195,8 +196,11 @@ std::string Pivots::described(const PoleRecord& pole, const Units& units) {
 }
 
 Report<Dyads> solve_linear(const Problem& problem, std::span<const Pose> poses) {
-  if (problem.fixed.empty() && problem.moving.empty()) return family_of_dyads<Pivots>(poses, problem.units);
-  return GivenPivots<Pivots>(problem, poses).solve();
+  if (!problem.fixed.empty() || !problem.moving.empty()) return GivenPivots<Pivots>(problem, poses).solve();
+  Report<Dyads> report = family_of_dyads<Pivots>(poses, problem.units);
+  if (std::string why = degeneracy_of(poses); !why.empty())
+    report.message = report.counts.dimension ? why + "; a two-dimensional family of dyads (samples)" : std::move(why);
+  return report;
 }
 
 }  // namespace burmester::spherical

@@ -30,6 +30,7 @@
 #include "burmester/geometry/rational_interval.hpp"
 #include "burmester/modules/framework/condition.hpp"
 #include "burmester/modules/framework/counted.hpp"
+#include "burmester/modules/framework/equal_poses.hpp"
 #include "burmester/modules/framework/expect_pivots.hpp"
 #include "burmester/modules/framework/local.hpp"
 #include "burmester/modules/framework/problem.hpp"
@@ -251,7 +252,10 @@ Report<typename G::Dyads> family_of_dyads(std::span<const typename G::Pose> pose
   report.family.poles = poles_of<G>(poses);
   report.family.samples = samples_of_family<G>(poses);
   if (report.family.poles.size() != poses.size() * (poses.size() - 1) / 2) {
-    report.message = "equal poses: in effect fewer of them, and a larger family of dyads";
+    const auto same = [&](int i, int k) {
+      return !G::pole_of(poses[static_cast<std::size_t>(i)], poses[static_cast<std::size_t>(k)]);
+    };
+    report.message = name_equal_poses(same, static_cast<int>(poses.size()));
     report.counts.dimension.reset();
   } else if (poses.size() == 2) {
     report.message =

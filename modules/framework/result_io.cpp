@@ -199,9 +199,12 @@ void require_finite(const json& value, const std::string& place) {
 Synthesis listed(Synthesis answer, const std::vector<std::string>& types) {
   sort_and_number(answer);
   if (types.empty()) return answer;
-  std::erase_if(answer.dyads, [&](const DyadRecord& dyad) {
+  const auto others = [&](const DyadRecord& dyad) {
     return std::find(types.begin(), types.end(), dyad.type) == types.end();
-  });
+  };
+  std::erase_if(answer.dyads, others);
+  if (std::erase_if(answer.family.samples, others) > 0 && answer.family.samples.empty())
+    answer.warnings.push_back(fmt::format("none of the samples of the family is {}", fmt::join(types, " or ")));
   std::set<int> left;
   for (const DyadRecord& dyad : answer.dyads) left.insert(dyad.id);
   std::erase_if(answer.linkages, [&](const LinkageRecord& linkage) {

@@ -11,8 +11,8 @@
 namespace burmester {
 
 /// An answer as it is listed: dyads sorted by type (RR, PR, RP, PP) and then length and numbered from 1, then
-/// only the dyads of the given types (none given: all) and the linkages among them, with the numbers they
-/// have in the full list. The counts stay those of the full answer.
+/// only the dyads and samples of the given types (none given: all) and the linkages among them, with the numbers they
+/// have in the full list. The counts stay those of the full answer; a warning where no sample is left.
 Synthesis listed(Synthesis answer, const std::vector<std::string>& types);
 
 struct ResultOptions {

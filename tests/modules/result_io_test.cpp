@@ -91,6 +91,19 @@ TEST(Listed, KeepsCountsAndNumbersWhenTypesAreAskedFor) {
   EXPECT_EQ(listed(untidy(), {"RR", "PR"}).linkages.size(), 3u);
 }
 
+TEST(Listed, KeepsSamplesOfTheTypesAskedFor) {
+  Synthesis family = untidy();
+  family.family.samples = family.dyads;
+  EXPECT_EQ(listed(family, {}).family.samples.size(), 3u);
+  const Synthesis sliders = listed(family, {"PR"});
+  ASSERT_EQ(sliders.family.samples.size(), 1u);
+  EXPECT_EQ(sliders.family.samples[0].type, "PR");
+  EXPECT_THAT(sliders.warnings, ElementsAre("w2"));
+  const Synthesis none = listed(family, {"RP", "PP"});
+  EXPECT_TRUE(none.family.samples.empty());
+  EXPECT_THAT(none.warnings, ElementsAre("w2", "none of the samples of the family is RP or PP"));
+}
+
 TEST(ResultDocument, HasTheKeysOfTheFormat) {
   const json d = document_of(listed(untidy(), {}));
   EXPECT_EQ(d["schema"], "burmester/result/1");

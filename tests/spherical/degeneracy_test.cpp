@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <span>
+#include <vector>
 
 #include "burmester/spherical/tasks.hpp"
 
@@ -59,6 +61,28 @@ TEST(SphericalDegeneracy, DistanceIsThatOfASmallChange) {
         EXPECT_GE(distance, change / 100) << stream << ' ' << size << ' ' << i;
       }
   }
+}
+
+/// The same of rotations about one axis: never more than the change, and and not much less where one
+/// orientation is turned out of the axis.
+TEST(SphericalDegeneracy, DistanceFromOneAxisIsThatOfASmallChange) {
+  Random random("SphericalDegeneracy.DistanceFromOneAxisIsThatOfASmallChange");
+  for (const std::size_t n : {3u, 4u, 5u})
+    for (const double size : {0.0, 1e-3, 1e-6, 1e-9, 1e-12})
+      for (int i = 0; i < 40; ++i) {
+        const Axis axis = Space::random_feature(random), across = axis.unitOrthogonal();
+        std::vector<Pose> poses;
+        for (std::size_t j = 0; j < n; ++j)
+          poses.push_back(pose_from_axis_degrees({axis[0], axis[1], axis[2]}, random.uniform(-170, 170)));
+        EXPECT_LE(distance_from_one_axis(poses), same_tolerance) << n << ' ' << i;
+        const double angle = size * random.normal(), change = std::abs(angle) / 2;
+        poses[1] = Space::nudged(poses[1], angle * across);
+        const double distance = distance_from_one_axis(poses);
+        EXPECT_LE(distance, change * (1 + 10 * change) + same_tolerance) << n << ' ' << size << ' ' << i;
+        EXPECT_GE(distance, change / 1000 - same_tolerance) << n << ' ' << size << ' ' << i;
+        EXPECT_EQ(degeneracy_of(std::span(poses).first(2)), "") << n << ' ' << i;
+        EXPECT_EQ(degeneracy_of(poses).empty(), distance > same_tolerance) << n << ' ' << size << ' ' << i;
+      }
 }
 
 TEST(SphericalDegeneracy, RandomOrientationsAreFar) {

@@ -1,6 +1,7 @@
 // The cones of four orientations: every pair of axes meets the poses, nothing is missed, no seam is seen.
 #include "burmester/spherical/four_pose_curves.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -252,13 +253,49 @@ TEST(SphericalFourPoseCurves, DegenerateOrientationsAreNamed) {
             "the circle-point curve degenerates: poses 2 and 3 are equal: in effect 3 poses, in general met by a "
             "two-dimensional family of dyads");
   const auto about_z = [](double w, double z) { return Pose{w, 0, 0, z}; };
-  EXPECT_EQ(message({about_z(1, 0), about_z(3, 1), about_z(2, 1), about_z(0, 1)}),
-            "the circle-point curve degenerates: all rotations have one axis");
+  const auto one_axis = [](const char* axis) {
+    return fmt::format(
+        "the circle-point curve degenerates: all rotations from one orientation to another have one axis, {}: every "
+        "moving axis keeps its angle from it, and the moving axis that coincides with it keeps its angle from every "
+        "fixed axis",
+        axis);
+  };
+  EXPECT_EQ(message({about_z(1, 0), about_z(3, 1), about_z(2, 1), about_z(0, 1)}), one_axis("(0, 0, 1)"));
   // the same seen from other frames: small integers, so that products are exact
   const Pose g{1, 2, -1, 3}, h{2, 0, 1, 1};
   EXPECT_EQ(message({product(g, h), product(product(g, about_z(3, 1)), h), product(product(g, about_z(2, 1)), h),
                      product(product(g, about_z(0, 1)), h)}),
-            "the circle-point curve degenerates: all rotations have one axis");
+            one_axis("(0.666667, -0.666667, 0.333333)"));  // g z
+}
+
+/// Orientations made equal or coaxial in doubles; turned by `off` out of that they have curves as all others do.
+TEST(SphericalFourPoseCurves, DegenerateOrientationsAreNamedWithinRounding) {
+  Random random("SphericalFourPoseCurves.DegenerateOrientationsAreNamedWithinRounding");
+  for (int i = 0; i < 40; ++i) {
+    const bool equal = i % 2;
+    FourPoseTask task = random_task(random);
+    const Axis axis = Space::random_feature(random);
+    const Pose frame = Space::random_pose(random);
+    const double scale = random.uniform(0.2, 4);
+    if (equal)
+      task[2] = {scale * task[1].w, scale * task[1].x, scale * task[1].y, scale * task[1].z};
+    else
+      for (Pose& p : task)
+        p = product(frame, pose_from_axis_degrees({axis[0], axis[1], axis[2]}, random.uniform(-170, 170)));
+    const SphericalReport report = FourPoseSolver().solve(task);
+    EXPECT_EQ(report.status, Status::degenerate) << i << ' ' << report.message;
+    EXPECT_NE(report.message.find(equal ? "poses 2 and 3 are equal: in effect 3 poses" : "have one axis"),
+              std::string::npos)
+        << i << ' ' << report.message;
+    EXPECT_TRUE(report.message.ends_with(", within rounding")) << i << ' ' << report.message;
+    EXPECT_TRUE(report.dyads.empty() && report.curves.empty() && report.warnings.empty()) << i;
+    const Axis across = axis.unitOrthogonal();
+    for (const double off : {1e-12, 1e-14}) {
+      FourPoseTask near = task;
+      near[2] = Space::nudged(near[2], off * across);
+      EXPECT_NE(four_pose_curves(near, {1e-2, 0.3}).topology.rung, Rung::none) << i << ' ' << off;
+    }
+  }
 }
 
 TEST(SphericalFourPoseCurves, HalfTurnsAreOrdinaryAndSymmetricSetsSplit) {

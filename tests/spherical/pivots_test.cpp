@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -225,7 +226,35 @@ TEST(GivenAxes, FamiliesAreSampled) {
     EXPECT_EQ(report.counts.dimension, 5 - count);
     EXPECT_GE(report.family.samples.size(), 36u);
     for (const DyadRecord& d : report.family.samples) EXPECT_LT(d.residual, 1e-12);
+    if (count == 2)  // every fixed axis has a slider
+      EXPECT_EQ(std::ranges::count(report.family.samples, PR::name, &DyadRecord::type), 36);
   }
+}
+
+TEST(GivenAxes, EqualAndCoaxialOrientationsAreNamed) {
+  const Pose a, b = pose_from_axis_degrees({1, 2, 3}, 40), b_scaled{0.3 * b.w, 0.3 * b.x, 0.3 * b.y, 0.3 * b.z};
+  const auto message = [](const Poses& poses) { return solve(poses, {}).message; };
+  EXPECT_EQ(message({b, b}), "poses 1 and 2 are equal: in effect 1 pose, met by every dyad");
+  EXPECT_EQ(message({b, b_scaled}), "poses 1 and 2 are equal: in effect 1 pose, met by every dyad, within rounding");
+  EXPECT_EQ(message({a, b, b_scaled}),
+            "poses 2 and 3 are equal: in effect 2 poses, in general met by a three-dimensional family of dyads, within "
+            "rounding");
+  EXPECT_EQ(message({a, a, a}), "poses 1 and 2 and 3 are equal: in effect 1 pose, met by every dyad");
+  const std::string words =
+                        "all rotations from one orientation to another have one axis, (0.267261, 0.534522, 0.801784)",
+                    family = "; a two-dimensional family of dyads (samples)";
+  for (const double off : {0.0, 1e-12}) {
+    const Poses poses{a, b, Space::nudged(pose_from_axis_degrees({1, 2, 3}, 70), {off, 0, 0})};
+    const auto report = solve(poses, {});
+    EXPECT_EQ(report.status, Status::family);
+    EXPECT_EQ(report.counts.dimension, 2);
+    EXPECT_EQ(report.message.starts_with(words), off == 0) << report.message;
+    EXPECT_EQ(report.message.ends_with(", within rounding" + family), off == 0) << report.message;
+    for (const DyadRecord& d : report.family.samples) EXPECT_LT(d.residual, 1e-12);
+  }
+  const std::string exact = message({a, {3, 0, 0, 1}, {0, 0, 0, 1}});
+  EXPECT_TRUE(exact.starts_with("all rotations from one orientation to another have one axis, (0, 0, 1):")) << exact;
+  EXPECT_EQ(exact.find("within rounding"), std::string::npos) << exact;
 }
 
 TEST(GivenAxes, MoreOrientationsAreFittedOrMet) {
