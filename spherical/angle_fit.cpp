@@ -134,17 +134,23 @@ Place on_floor(const TurnedTask& task, Place from, double shift, double radius) 
   return floor.value < from.value ? floor : from;
 }
 
+/// Of an error that is met, in units of e: 64 roundings.
+constexpr double met_to = 0x1p-46;
+
+/// Newton's last step at a place that is sure, in (alpha, beta): a thousandth. Where it is not less, rounding makes it.
+constexpr double least_known = 1e-3;
+
 /// Whether a place is a minimum. `cut`: the step is shorter than Newton's; where errors are more than rounding, a slope
 /// without curvature goes on.
 template <class D>
 void judge(AngleFit<D>& fit, const TurnedTask& task, const Newton& newton, const Place& here,
            const Eigen::Vector4d& step, bool cut) {
-  const double noise = 0x1p-50 * task.e * std::sqrt(task.weights.sum());     // of all errors: eight roundings each
-  fit.met = here.value <= 16 * noise * noise;                                // four times that
-  const double unseen = noise * std::max(std::sqrt(here.value), 4 * noise);  // of the sum
+  fit.met = here.errors.values.cwiseAbs().maxCoeff() <= met_to * task.e;
+  const double noise = 0x1p-50 * task.e * std::sqrt(task.weights.sum()),  // of all errors: eight roundings each
+      unseen = noise * std::max(std::sqrt(here.value), 4 * noise);        // of the sum
   fit.least = !newton.bends_down(task, here.errors) && (!cut || fit.met) &&
               newton.gain(step) <= std::max(0x1p-44 * here.value, unseen);
-  fit.sure = newton.bends_up(task, here.errors), fit.known = step.norm();
+  fit.known = step.norm(), fit.sure = newton.bends_up(task, here.errors) && fit.known < least_known;
 }
 
 /// Of steps, in (alpha, beta): the first, and those that rounding of the axes hides.
@@ -183,16 +189,15 @@ AngleFit<D> nearest_fit(const TurnedTask& task, const AxesAt& start, int steps) 
   return out;
 }
 
-/// Rounds of multipliers: each leaves a thousandth, by exact_weight, or less.
+/// Rounds of multipliers; where one leaves more than the given part, weights are too small and grow.
 constexpr int most_rounds = 50;
-
-/// Of an error that is met, in units of e: 64 roundings.
-constexpr double met_to = 0x1p-46;
+constexpr double left_by_round = 0.25, growth = 10;
 
 template <class D>
 std::optional<AngleFit<D>> met_exactly(TurnedTask task, const AngleFit<D>& fit, std::span<const Eigen::Index> which,
                                        int steps) {
   AngleFit<D> out = fit;
+  double last = std::numeric_limits<double>::infinity();
   for (int round = 0; round < most_rounds; ++round) {
     double largest = 0, sum = out.sum;
     for (const Eigen::Index j : which) {
@@ -205,6 +210,9 @@ std::optional<AngleFit<D>> met_exactly(TurnedTask task, const AngleFit<D>& fit, 
       out.sum = sum;
       return out;
     }
+    if (!(largest <= left_by_round * last))  // the multipliers, weights times shifts, stay
+      for (const Eigen::Index j : which) task.weights[j] *= growth, task.shift[j] /= growth;
+    last = largest;
     out = nearest_fit<D>(task, out.axes, steps);
   }
   return std::nullopt;

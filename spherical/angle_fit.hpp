@@ -25,8 +25,8 @@ struct AngleFit {
   double sum = 0;          ///< of the weighted squares
   Eigen::VectorXd errors;  ///< angles less the arc and the shifts
   bool least = false;      ///< a local minimum, as far as rounding tells: no step takes away more, no mode bends down
-  bool sure = false;       ///< all modes bend up by more than rounding
-  bool met = false;        ///< the errors are rounding
+  bool sure = false;       ///< all modes bend up by more than rounding, and the place is known to a thousandth
+  bool met = false;        ///< all errors are rounding
   double known = 0;        ///< length of the last Newton step: to that the axes are known
 };
 
