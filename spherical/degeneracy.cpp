@@ -34,7 +34,7 @@ Vector3 common_direction(std::span<const Vector3> all) {
 /// others).
 double distance_from_two_places(const Turns& turns, std::size_t i, std::size_t j) {
   const double apart = i == j ? 1 : 2;
-  std::array<Vector3, 10> within;
+  std::array<Vector3, 6> within;  // pairs of four, or of three and two
   std::size_t count = 0;
   for (std::size_t k = 0; k < 5; ++k)
     for (std::size_t l = k + 1; l < 5; ++l) {
