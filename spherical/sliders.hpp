@@ -34,8 +34,8 @@ struct SliderFamily {
   std::optional<std::vector<FoundSlider>> isolated;  ///< those in no family, proved; nothing: not decided
 };
 
-/// Nothing where there are finitely many: infinitely many are always found to be so (docs/certificates.md). What neither
-/// function decides is a finite number of sliders of which no chart shows each alone.
+/// Nothing where there are finitely many: infinitely many are always found to be so (docs/certificates.md). What is
+/// left undecided, neither function answering, are finitely many that no chart shows each alone.
 std::optional<SliderFamily> slider_family(FourPoses poses);
 
 }  // namespace burmester::spherical
