@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace burmester {
 namespace {
 
 using Point = Vector<double, 2>;
+
+static_assert(std::numeric_limits<long double>::max_exponent > 2 * std::numeric_limits<double>::max_exponent + 1);
 
 /// (b - a) x (d - c). In long double, whose range holds all products of doubles.
 long double cross(const Point& a, const Point& b, const Point& c, const Point& d) {
@@ -17,7 +20,8 @@ long double cross(const Point& a, const Point& b, const Point& c, const Point& d
 
 bool is_left(const Point& a, const Point& b) { return a[0] != b[0] ? a[0] < b[0] : a[1] < b[1]; }
 
-/// Counterclockwise, no three in a line; sorts the points. Precondition: at least one.
+/// Counterclockwise, each vertex a true corner; of points in one line the two ends, of equal ones two of them. Sorts
+/// the points. Precondition: at least two.
 std::vector<Point> convex_hull(std::vector<Point>& points) {
   std::sort(points.begin(), points.end(), is_left);
   std::vector<Point> hull;

@@ -12,7 +12,7 @@
 namespace burmester {
 
 /// In time n log n; 0 for one point or none. Finite coordinates, of any size whose differences are finite. The distance
-/// of two of the points, and the largest but for rounding of 1e-18 of it.
+/// of two of the points, and the largest to about one rounding. Needs a long double of wider range than double.
 double diameter(std::vector<Vector<double, 2>> points);
 
 }  // namespace burmester

@@ -11,7 +11,7 @@
 namespace burmester::planar {
 namespace {
 
-constexpr double nearby = 64;        // curve scales: a common pole farther out is far from all that is listed
+constexpr double nearby = 64;  // curve scales: a common pole farther out is far from all that is listed
 
 /// P_ij from pose 1's origin, and what rounding the data once does to it: as (t + cot(a/2) J t) / 2 from the one
 /// origin, with an angle a that is known to same_orientation_tolerance.

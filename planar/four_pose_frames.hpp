@@ -13,7 +13,8 @@
 
 namespace burmester::planar {
 
-/// Times the size of curves: poles this close are one. Farther apart, doubles about pose 1's origin keep 1e-13.
+/// Of a length: poles this close are one. Frames are chosen with the curve scale (farther apart, doubles about pose 1's
+/// origin keep 1e-13), words with the task size.
 inline constexpr double together = 0x1p-9;
 
 /// Three poses that turn about one point, nearly: their three poles are one to within `spread`.

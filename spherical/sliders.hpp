@@ -24,7 +24,8 @@ struct FoundSlider {
   int multiplicity = 1;         ///< so many sliders over the complex numbers coincide here
 };
 
-/// All different real sliders, proved; nothing where that is not decided (exact_axes.hpp): there are infinitely many.
+/// All different real sliders, proved; nothing where no chart shows each of them alone (exact_axes.hpp), as where there
+/// are infinitely many.
 std::optional<std::vector<FoundSlider>> sliders(FourPoses poses);
 
 /// Infinitely many sliders, proved.
@@ -33,7 +34,8 @@ struct SliderFamily {
   std::optional<std::vector<FoundSlider>> isolated;  ///< those in no family, proved; nothing: not decided
 };
 
-/// Nothing where there are finitely many, or that is not decided.
+/// Nothing where there are finitely many: infinitely many are always found to be so (docs/certificates.md). What is
+/// left undecided, neither function answering, are finitely many that no chart shows each alone.
 std::optional<SliderFamily> slider_family(FourPoses poses);
 
 }  // namespace burmester::spherical

@@ -25,9 +25,9 @@ struct Space : Displacement<std::array{0, 1, 2, 3}, std::array{1, 2, 3}> {
   template <class T>
   static Point<T> point(const Pose& p) {
     const double largest = std::max({std::abs(p.w), std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-    const double near = largest < 0x1p-1000 ? 0x1p100 : largest > 0x1p1000 ? 0x1p-100 : 1;  // its inverse is normal
-    const double scale = unit_scale(near * largest);
-    return {T(scale * (near * p.w)), T(scale * (near * p.x)), T(scale * (near * p.y)), T(scale * (near * p.z))};
+    const double guard = largest < 0x1p-1000 ? 0x1p100 : largest > 0x1p1000 ? 0x1p-100 : 1;  // its inverse is normal
+    const double scale = unit_scale(guard * largest);
+    return {T(scale * (guard * p.w)), T(scale * (guard * p.x)), T(scale * (guard * p.y)), T(scale * (guard * p.z))};
   }
   static Pose pose(const Point<double>& x) { return {x[0], x[1], x[2], x[3]}; }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -20,18 +21,28 @@ class LabelPlaces {
   /// Where to put the middle of a label that belongs to p.
   Point2 place(const Point2& p, double half_width) {
     Point2 best{};
-    double least = 1e300;
-    for (const double distance : {15.0, 22.0})
-      for (int k = 0; k < 12; ++k) {
-        const double angle = k * std::numbers::pi / 6 + 0.5;
-        const Point2 at{p[0] + (distance + half_width - 4) * std::cos(angle), p[1] - distance * std::sin(angle)};
-        if (const double cost = covered(at, half_width) + 0.02 * distance; cost < least) least = cost, best = at;
+    double least = std::numeric_limits<double>::infinity();
+    for (const double distance : distances)
+      for (int k = 0; k < directions; ++k) {
+        const double angle = first_angle + k * 2 * std::numbers::pi / directions,
+                     sideways = distance + half_width - half_character;
+        const Point2 at{p[0] + sideways * std::cos(angle), p[1] - distance * std::sin(angle)};
+        const double cost = covered(at, half_width) + cost_of_distance * distance;
+        if (cost < least) least = cost, best = at;
       }
-    for (const double shift : {-half_width, 0.0, half_width}) avoid({best[0] + shift, best[1]}, 4);
+    for (const double shift : {-half_width, 0.0, half_width}) avoid({best[0] + shift, best[1]}, weight_of_label);
     return best;
   }
 
  private:
+  static constexpr double distances[] = {15, 22};   // of a label from its point, pixels
+  static constexpr int directions = 12;             // tried round the point
+  static constexpr double first_angle = 0.5;        // of these, radians
+  static constexpr double half_character = 4;       // pixels: a label of one character is as near sideways as above
+  static constexpr double reach = 14;               // pixels: what is this far from a label is not covered
+  static constexpr double cost_of_distance = 0.02;  // for each pixel: of two places that cover the same the nearer one
+  static constexpr double weight_of_label = 4;      // more than a point of a curve has
+
   struct Taken {
     Point2 p;
     double weight;
@@ -40,7 +51,7 @@ class LabelPlaces {
     double sum = 0;
     for (const Taken& t : taken_) {
       const double x = std::max(0.0, std::abs(t.p[0] - at[0]) - half_width), y = std::abs(t.p[1] - at[1]);
-      sum += t.weight * std::max(0.0, 1 - std::hypot(x, y) / 14);
+      sum += t.weight * std::max(0.0, 1 - std::hypot(x, y) / reach);
     }
     return sum;
   }

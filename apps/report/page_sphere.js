@@ -117,13 +117,18 @@ const sphereTools = (() => {
     );
   }
 
-  /// Where the label of p covers least of the points `taken`; it is one of them from then on.
+  /// Where the label of p covers least of the points `taken`; it is one of them from then on. As label_places.hpp does
+  /// it, for labels of one size that all weigh the same.
   function spot(p, taken) {
-    const places = Array.from({ length: 12 }, (_, k) => {
-      const angle = (k * Math.PI) / 6 + Math.PI / 4;
-      return add(p, [18 * Math.cos(angle), -18 * Math.sin(angle)]);
+    const distance = 18, // of a label from its point, pixels
+      directions = 12,
+      firstAngle = Math.PI / 4,
+      reach = 14; // pixels: what is this far from a label is not covered
+    const places = Array.from({ length: directions }, (_, k) => {
+      const angle = firstAngle + (k * 2 * Math.PI) / directions;
+      return add(p, [distance * Math.cos(angle), -distance * Math.sin(angle)]);
     });
-    const covered = at => taken.reduce((sum, q) => sum + Math.max(0, 1 - Math.hypot(...add(q, at, -1)) / 14), 0),
+    const covered = at => taken.reduce((sum, q) => sum + Math.max(0, 1 - Math.hypot(...add(q, at, -1)) / reach), 0),
       costs = places.map(covered),
       best = places[costs.indexOf(Math.min(...costs))];
     taken.push(best);

@@ -35,7 +35,12 @@ const tables = (() => {
     );
   const pivot = p =>
     spherical && Array.isArray(p)
-      ? h("span", {}, point(p), h("span", { class: "sub" }, "longitude, latitude ", angles(sphereTools.place(rounded(p, zero)))))
+      ? h(
+          "span",
+          {},
+          point(p),
+          h("span", { class: "sub" }, "longitude, latitude ", angles(sphereTools.place(rounded(p, zero)))),
+        )
       : point(p);
   const small = (v, digits) => (isNumber(v) ? number(v, digits) : null);
   const shower = (name, figure, show) =>

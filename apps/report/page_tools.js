@@ -23,7 +23,8 @@ const tools = (() => {
     const size = Math.abs(v);
     if (!e && size !== 0 && size < 1e-4) [m, e] = v.toExponential(digits - 1).split("e");
     if (m.includes(".")) m = m.replace(/\.?0+$/, "");
-    const power = e ? "×10" + [...String(+e)].map(c => (c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[c])).join("") : "";
+    const raised = c => (c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[c]),
+      power = e ? "×10" + [...String(+e)].map(raised).join("") : "";
     return m.replace("-", "−") + power;
   }
   const number = (v, digits, after = "") =>

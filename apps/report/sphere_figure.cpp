@@ -61,8 +61,7 @@ class Sheet {
       pins("fixed_axis", near);
     }
     names();
-    svg_.text(caption, view_->name,
-              fmt::format("text-anchor=\"middle\" fill=\"{}\" font-style=\"italic\"", soft_ink));
+    svg_.text(caption, view_->name, fmt::format("text-anchor=\"middle\" fill=\"{}\" font-style=\"italic\"", soft_ink));
   }
 
   void globe() {

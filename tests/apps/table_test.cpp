@@ -67,8 +67,9 @@ TEST(AnswerText, ShowsEveryTypeOfDyad) {
 
 TEST(AnswerText, SaysWhereThePosesComeFrom) {
   Problem p = planar_problem();
-  p.source = "A. Author, \"Title of some length\", example 2; in the printed table of solutions the columns are "
-             "exchanged";
+  p.source =
+      "A. Author, \"Title of some length\", example 2; in the printed table of solutions the columns are "
+      "exchanged";
   const std::string text = answer_text(p, {}, 1);
   EXPECT_THAT(text, HasSubstr("a task\nA. Author, "));
   EXPECT_THAT(text, HasSubstr(" columns are\nexchanged\nplanar, 5 poses"));

@@ -1,10 +1,10 @@
-"""No line of C++, Python or CMake is longer than 120 characters."""
+"""No line of C++, Python, JavaScript or CMake is longer than 120 characters."""
 import pathlib
 import sys
 
 LONGEST = 120
 ROOMS = ("geometry", "modules", "planar", "spherical", "apps", "bench", "tests")
-KINDS = {".cpp", ".hpp", ".py", ".cmake"}
+KINDS = {".cpp", ".hpp", ".py", ".js", ".cmake"}
 
 source = pathlib.Path(sys.argv[2])
 files = [source / "CMakeLists.txt"] + [f for room in ROOMS for f in sorted((source / room).rglob("*"))

@@ -165,12 +165,11 @@ std::string text(const Problem& problem, const SemigraphicalAnswer& answer, cons
   };
   for (const Pairing& p : pairings) {
     const DyadRecord d = spherical::RR::record(p.dyad);
-    out +=
-        fmt::format("  {:>20}  {:>20}  {:>9.5f}  {:>9}  {:>12.1e}  {:>9}  {:>8}\n", place(d.moving), place(d.fixed),
-                    shown_angle(*d.arc, problem.units), fmt::format("{} + {}", p.moving.size(), p.fixed.size()),
-                    shown_angle(p.read_off_error(), problem.units),
-                    p.algebraic ? fmt::format("dyad {}", p.algebraic) : "none",
-                    p.algebraic ? fmt::format("{:.1e}", shown_angle(p.apart, problem.units)) : "");
+    out += fmt::format("  {:>20}  {:>20}  {:>9.5f}  {:>9}  {:>12.1e}  {:>9}  {:>8}\n", place(d.moving), place(d.fixed),
+                       shown_angle(*d.arc, problem.units), fmt::format("{} + {}", p.moving.size(), p.fixed.size()),
+                       shown_angle(p.read_off_error(), problem.units),
+                       p.algebraic ? fmt::format("dyad {}", p.algebraic) : "none",
+                       p.algebraic ? fmt::format("{:.1e}", shown_angle(p.apart, problem.units)) : "");
   }
   if (!pairings.empty())
     out += "Axes as (longitude, latitude) in the half sphere of longitudes up to a quarter turn.\n";
