@@ -1,5 +1,6 @@
-// The step of K. Levenberg (1944) and D. Marquardt (1963): the u of least |J u + r|^2 + damping |J|^2 |u|^2, with |J| the
-// Frobenius norm. Apart from search.hpp, so that Eigen's decompositions are compiled once and not for each dyad type.
+// The step of K. Levenberg (1944) and D. Marquardt (1963): the u of least |J u + r|^2 + damping |J|^2 |u|^2, with |J|
+// the Frobenius norm. Apart from search.hpp, so that Eigen's decompositions are compiled once and not for each dyad
+// type.
 #pragma once
 
 #include <Eigen/Core>
