@@ -100,8 +100,11 @@ double width(const Point2<Interval>& p) {
     if (std::abs(approximate(p[i])) > std::abs(approximate(p[k]))) k = i;
   if (contains_zero(p[k])) return std::numeric_limits<double>::infinity();
   double sum = 0;
-  for (int i = 0; i < 3; ++i)
-    if (const Interval at = p[i] / p[k]; i != k) sum += upper(at) - lower(at);
+  for (int i = 0; i < 3; ++i) {
+    if (i == k) continue;
+    const Interval at = p[i] / p[k];
+    sum += upper(at) - lower(at);
+  }
   return sum;
 }
 
@@ -124,7 +127,8 @@ bool runs_through(const BranchForms<Interval>& branch, const PointWithLine& poin
   return branch.line || !point.sees_base || told(values(seen(branch, part, -sheet)).cross(p));
 }
 
-/// A part that is proved to run through the point, with this part and little more. Nothing where the point is far.
+/// A part that is proved to run through the point, with this part and little more. Nothing where the point is far:
+/// `least` and `most` decide only how many parts are tried, what is returned is proved.
 std::optional<Part> hull_with(const BranchForms<Interval>& branch, const PointWithLine& point, const Part& part,
                               int sheet) {
   constexpr double least = 0x1p-44,

@@ -15,8 +15,8 @@ namespace {
 
 using namespace detail;  // the charts and their samples
 constexpr int first_chords = 8;
-constexpr double short_step = 0x1p-22, short_step_at_line = 0x1p-36,
-                 shortest_step = 0x1p-200;  // where doubles may fail to tell points apart; a guard
+constexpr double short_step = 0x1p-22, short_step_at_line = 0x1p-36;  // effort only: what is kept is proved
+constexpr double shortest_step = 0x1p-200;  // where doubles may fail to tell points apart; a guard
 constexpr double told = 0x1p-10;            // well below half a chord, which a point that is to lie elsewhere must miss
 constexpr double aim = 0.85;                // of the allowed error (as a length), for the next chord
 constexpr double short_passage = 0x1p-12;   // from here on boxes are tried where tubes fail; a matter of speed only

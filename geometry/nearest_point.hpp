@@ -15,11 +15,9 @@
 #include "burmester/geometry/curve.hpp"
 #include "burmester/geometry/rational.hpp"
 #include "burmester/geometry/rational_interval.hpp"
+#include "burmester/geometry/surface.hpp"
 
 namespace burmester {
-
-/// z = 1, or the unit sphere, on which a point and its opposite are one.
-enum class Surface { plane, sphere };
 
 struct NearestPoint {
   Point2<double> at;  ///< on the surface, on the sphere on the side of q; F(at) = 0 but for the rounding of `at`

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "burmester/geometry/curve_trace.hpp"
-#include "burmester/geometry/nearest_point.hpp"
+#include "burmester/geometry/surface.hpp"
 
 namespace burmester {
 

@@ -16,7 +16,8 @@ struct PairedPoints {
   Point2<double> p, c;
 };
 
-/// How far p^T N c may be from zero, as a share of |p| |N| |c|: a few times its rounding. (Norm of all three.)
+/// How far p^T N c may be from zero, as a share of |p| |N| |c|: a few times its rounding. Of the
+/// three shares the root of the sum of their squares.
 inline constexpr double paired_within = 0x1p-49;
 
 /// A pair near the two points given, and these where they are within paired_within; or as near as doubles get.

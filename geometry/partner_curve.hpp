@@ -25,7 +25,7 @@ struct PointWithLine {
 /// three correlations N.
 struct PartnerCurve {
   std::array<Correlation<double>, 3> approximate;
-  std::array<double, 3> squares;  ///< of their norms
+  std::array<double, 3> squares;  ///< of the norms of `approximate`: sums of the squares of all entries
   std::array<Correlation<Interval>, 3> enclosing;
   TubeCurve curve;
   std::vector<PointWithLine> with_line = {};

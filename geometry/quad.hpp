@@ -1,4 +1,5 @@
-// Quad precision (113 bits, g++ only): for oracles, tests, benchmarks and the rare fallback, not for fast paths.
+// Quad precision (113 bits, g++ only): for oracles, tests, benchmarks, data formed once a task and the rare fallback,
+// not for fast paths.
 #pragma once
 
 #include <boost/multiprecision/float128.hpp>

@@ -20,14 +20,12 @@
 #pragma once
 
 #include <array>
-#include <span>
 
 #include "burmester/geometry/vector.hpp"
 #include "burmester/spherical/dyads.hpp"
 
 namespace burmester::spherical {
 
-using FivePoses = std::span<const Pose, 5>;
 using Vector3 = Vector<double, 3>;
 
 /// k = (W1, W2, W3, S11, S22, S33, S12, S13, S23).

@@ -103,7 +103,7 @@ SphericalReport FourPoseSolver::solve(std::span<const Pose> poses) const {
   const FourPoses four = poses.first<4>();
   SphericalReport report = curve_report<Dyads>(four_pose_curves(four), words);
   if (report.status != Status::family) return report;
-  if (const auto shared = shared_rotation(four); shared && shared->off > 0) report.message += described(*shared);
+  if (const auto shared = shared_rotation(four); shared && !shared->exact) report.message += described(*shared);
   if (const double change = largest_change_of_arc(four, report.curves); change > arc_kept)
     report.warnings.push_back(fmt::format("pairs of axes on the curves keep their arc to {:.1e} rad only", change));
   add_sliders(four, report);

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <optional>
-#include <span>
 
 #include "burmester/spherical/dyads.hpp"
 #include "burmester/spherical/equal_angles.hpp"
@@ -14,8 +13,7 @@ namespace burmester::spherical {
 /// Moving axes in E; fixed ones in S turned back by the reference pose. Keeps the span.
 class FourPoseFrames {
  public:
-  explicit FourPoseFrames(std::span<const Pose, 4> poses)
-      : poses_(poses), reference_(static_cast<std::size_t>(reference_of(poses))) {}
+  explicit FourPoseFrames(FourPoses poses) : poses_(poses), reference_(static_cast<std::size_t>(reference_of(poses))) {}
 
   static double length() { return 1; }
   const Pose& reference() const { return poses_[reference_]; }
@@ -39,7 +37,7 @@ class FourPoseFrames {
   }
 
  private:
-  std::span<const Pose, 4> poses_;
+  FourPoses poses_;
   std::size_t reference_;
 };
 

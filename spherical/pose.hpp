@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 namespace burmester::spherical {
 
@@ -12,6 +13,9 @@ namespace burmester::spherical {
 struct Pose {
   double w = 1, x = 0, y = 0, z = 0;  ///< not all zero
 };
+
+using FourPoses = std::span<const Pose, 4>;
+using FivePoses = std::span<const Pose, 5>;
 
 /// Rotation about `axis` (any length but zero) by an angle in radians.
 Pose pose_from_axis_radians(const std::array<double, 3>& axis, double angle);

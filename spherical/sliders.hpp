@@ -9,15 +9,12 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "burmester/modules/framework/report.hpp"
 #include "burmester/spherical/dyads.hpp"
 
 namespace burmester::spherical {
-
-using FourPoses = std::span<const Pose, 4>;
 
 struct FoundSlider {
   Found<Dyads::Design> slider;  ///< with its certificate

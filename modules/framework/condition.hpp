@@ -17,7 +17,8 @@ namespace burmester {
 
 namespace detail {
 
-/// || J^+ diag(c) ||_2, infinite where the columns of J are dependent. J: poses x parameters, finite.
+/// || J^+ diag(c) ||_2, infinite where the columns of J are dependent. J: poses x parameters, finite; c: how much each
+/// residual changes with its pose, c_j >= 0.
 double largest_change(const Eigen::MatrixXd& J, const Eigen::VectorXd& c);
 
 }  // namespace detail

@@ -144,14 +144,14 @@ TEST(CurvePicture, EveryPointOfTheCurveInTheWindowIsWithinTheErrorOfThePolyline)
     const TracedCurve traced = traced_by_arcs(c.form, {1e-3, 0.5, 4});
     double error = 0;
     for (const CurvePiece& piece : traced.pieces) error = std::max(error, piece.max_error);
-    for (int k = 0; k < repetitions(30); ++k)
+    for (int k = 0; k < 30; ++k)
       for (const Point2<double>& p : points_at_height(c.form, random.uniform(-4, 4)))
         if (in_window(p, 4)) {
           EXPECT_LT(distance_to_pieces(p, traced.pieces), error + 1e-9) << c.name;
           ++checked;
         }
   }
-  EXPECT_GT(checked, repetitions(3000));
+  EXPECT_GT(checked, 3000);
 }
 
 /// Numbers of pieces, open and closed ones, of the components that are seen.
