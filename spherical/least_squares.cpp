@@ -214,7 +214,8 @@ SphericalReport LeastSquaresSolver::solve(std::span<const Pose> poses) const {
   if (slider) report.dyads.push_back(listed(*slider, poses));
   const auto exact = std::count(weights.begin(), weights.end(), met_exactly_weight);
   report.message = fmt::format("no dyad meets all {} orientations: {}{}{}", poses.size(),
-                               counted(dyads.size(), "local best fit"), slider ? " and the best slider" : ", no slider",
+                               dyads.empty() ? "no isolated best fit" : counted(dyads.size(), "local best fit"),
+                               slider ? " and the best slider" : ", no slider",
                                exact > 0 ? fmt::format(", of those that meet the {} exact", exact) : "");
   return report;
 }

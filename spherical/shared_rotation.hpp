@@ -21,9 +21,9 @@ struct SharedRotation {
   std::array<std::size_t, 4> from(std::size_t pose) const;
 };
 
-/// One that is exact, or else the one with the least `off`. Nothing where the two rotations differ by more than rounding
-/// the four does, 2^-48 rad, or where two orientations are within 2^-20 rad of each other: rounding means something
-/// there.
+/// One that is exact, or else the one with the least `off`. Nothing where the two rotations differ by more than
+/// rounding the four does, 2^-48 rad, or where two orientations are within 2^-20 rad of each other: rounding means
+/// something there.
 std::optional<SharedRotation> shared_rotation(FourPoses poses);
 
 }  // namespace burmester::spherical
