@@ -207,6 +207,7 @@ Point2<X> BranchForms<T>::on_sheet(const Point1<X>& q, const X& rest, int sheet)
 template struct BranchForms<double>;
 template struct BranchForms<Interval>;
 using Moving = Jet<Interval, 1>;
+template Point2<Interval> BranchForms<Interval>::on_line(const Interval&) const;
 template Point2<Moving> BranchForms<Interval>::on_line(const Moving&) const;
 template Point2<Moving> BranchForms<Interval>::on_sheet(const Point1<Moving>&, const Moving&, int) const;
 
